@@ -1,0 +1,351 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallLayer.H"
+
+#include "symmetric.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::wallLayer::markOccupied
+(
+    const ulph::cellGrid& fluid,
+    const scalar reach
+)
+{
+    const ulph::cellLayout& cells = fluid.layout();
+    const std::array<int, 3> n{cells.extent(0), cells.extent(1), cells.extent(2)};
+    const auto index = [&](const int i, const int j, const int k)
+    {
+        return (std::size_t(k)*n[1] + j)*n[0] + i;
+    };
+
+    occupied_.assign(cells.nCells(), 0);
+    for (int k = 0; k < n[2]; ++k)
+    {
+        for (int j = 0; j < n[1]; ++j)
+        {
+            for (int i = 0; i < n[0]; ++i)
+            {
+                const int r = cells.rank(i, j, k);
+                occupied_[index(i, j, k)] = fluid.first(r + 1) > fluid.first(r);
+            }
+        }
+    }
+
+    // Spread by the reach, one direction after the other
+    const int width = int(std::ceil(reach/cells.size()));
+    const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0])*n[1]};
+    std::vector<unsigned char> line;
+    for (int d = 0; d < cells.D(); ++d)
+    {
+        const int e = (d + 1)%3;
+        const int f = (d + 2)%3;
+        line.resize(n[d]);
+        for (int b = 0; b < n[f]; ++b)
+        {
+            for (int a = 0; a < n[e]; ++a)
+            {
+                unsigned char* const cell =
+                    occupied_.data() + a*stride[e] + b*stride[f];
+                int last = -width - 1;
+                for (int i = 0; i < n[d]; ++i)
+                {
+                    last = cell[i*stride[d]] ? i : last;
+                    line[i] = i - last <= width;
+                }
+                last = n[d] + width;
+                for (int i = n[d] - 1; i >= 0; --i)
+                {
+                    last = cell[i*stride[d]] ? i : last;
+                    line[i] |= last - i <= width;
+                }
+                for (int i = 0; i < n[d]; ++i)
+                {
+                    cell[i*stride[d]] = line[i];
+                }
+            }
+        }
+    }
+}
+
+
+bool Foam::wallLayer::inReach
+(
+    const ulph::cellLayout& cells,
+    const boundBox& box
+) const
+{
+    std::array<int, 3> lower{0, 0, 0};
+    std::array<int, 3> upper{0, 0, 0};
+    for (int k = 0; k < cells.D(); ++k)
+    {
+        lower[k] = cells.coordinate(k, box.min()[cloud_.axis(k)]);
+        upper[k] = cells.coordinate(k, box.max()[cloud_.axis(k)]);
+    }
+    for (int k = lower[2]; k <= upper[2]; ++k)
+    {
+        for (int j = lower[1]; j <= upper[1]; ++j)
+        {
+            const unsigned char* const row =
+                occupied_.data()
+              + (std::size_t(k)*cells.extent(1) + j)*cells.extent(0);
+            if
+            (
+                std::find(row + lower[0], row + upper[0] + 1, 1)
+             != row + upper[0] + 1
+            )
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
+void Foam::wallLayer::gather(const ulph::cellLayout& cells)
+{
+    const wallParticleSet& all = particles_->active();
+    const int D = cloud_.D();
+
+    std::vector<label> chosen;
+    for (label i = 0; i < all.size(); ++i)
+    {
+        if (inReach(cells, boundBox(all.position[i], all.position[i])))
+        {
+            chosen.push_back(i);
+        }
+    }
+
+    const label n = label(chosen.size());
+    for (particleField* field : {&x_, &volume_, &reflection_})
+    {
+        field->reset(n);
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        const label from = chosen[i];
+        volume_.set(i, 0, all.volume[from]);
+        const symmTensor& R = all.reflection[from];
+        for (int k = 0; k < D; ++k)
+        {
+            x_.set(i, k, all.position[from][cloud_.axis(k)]);
+            for (int l = k; l < D; ++l)
+            {
+                reflection_.set
+                (
+                    i,
+                    ulph::symmetricIndex(D, k, l),
+                    R[ulph::symmetricIndex(3, cloud_.axis(k), cloud_.axis(l))]
+                );
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::wallLayer::wallLayer
+(
+    const ulphCloud& cloud,
+    const wallSearch& search,
+    const wall& model,
+    const bodyForce& force,
+    const equationOfState& state
+)
+:
+    cloud_(cloud),
+    model_(model),
+    force_(force),
+    state_(state),
+    x_(cloud.D(), false),
+    volume_(1, cloud.shared().mixed),
+    reflection_(ulph::nSymmetric(cloud.D()), cloud.shared().mixed),
+    v_(cloud.D(), cloud.shared().mixed),
+    viscousV_(cloud.D(), cloud.shared().mixed),
+    densityExcess_(1, false),
+    bodyForce_(cloud.D(), cloud.shared().mixed)
+{
+    if (search.hasWalls())
+    {
+        particles_.reset(new wallParticles(search, cloud.dx()));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+ulph::particleView Foam::wallLayer::view() const
+{
+    ulph::particleView particles;
+    particles.D = cloud_.D();
+    particles.n = size();
+    for (int k = 0; k < particles.D; ++k)
+    {
+        particles.x[k] = x_.component(k);
+    }
+    return particles;
+}
+
+
+void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
+{
+    if (!particles_)
+    {
+        return;
+    }
+    const ulph::cellLayout& cells = fluid.layout();
+    markOccupied(fluid, reach);
+    particles_->update
+    (
+        [&](const boundBox& box) { return inReach(cells, box); }
+    );
+    gather(cells);
+
+    for (particleField* field : {&v_, &viscousV_, &densityExcess_, &bodyForce_})
+    {
+        field->reset(size());
+    }
+}
+
+
+void Foam::wallLayer::permute(const std::vector<int>& order)
+{
+    x_.permute(order);
+    volume_.permute(order);
+    reflection_.permute(order);
+}
+
+
+void Foam::wallLayer::setBodyForce(const scalar t)
+{
+    const int D = cloud_.D();
+    vector f(force_.acceleration(Zero, t));
+    point p(Zero);
+    for (label i = 0; i < size(); ++i)
+    {
+        if (!force_.uniform())
+        {
+            for (int k = 0; k < D; ++k)
+            {
+                p[cloud_.axis(k)] = x_(i, k);
+            }
+            f = force_.acceleration(p, t);
+        }
+        for (int k = 0; k < D; ++k)
+        {
+            bodyForce_.set(i, k, f[cloud_.axis(k)]);
+        }
+    }
+}
+
+
+void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
+{
+    const int D = cloud_.D();
+    const label first = sums.first - firstRecord;
+
+    ulph::laneRow fluid[3];
+    ulph::laneRow v[3];
+    ulph::laneRow viscousV[3];
+    ulph::laneRow R[6];
+    ulph::laneRow f[3];
+    ulph::laneRow rho1;
+    ulph::laneRow p;
+
+    reflection_.load(first, sums.count, R);
+    bodyForce_.load(first, sums.count, f);
+
+    for (int l = 0; l < sums.count; ++l)
+    {
+        rho1[l] = sums.w[l] > VSMALL ? sums.s[l]/sums.w[l] : 0;
+        for (int k = 0; k < D; ++k)
+        {
+            fluid[k][l] =
+                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] : 0;
+        }
+    }
+
+    state_.pressure(sums.count, rho1, p);
+    for (int l = 0; l < sums.count; ++l)
+    {
+        for (int k = 0; k < D && sums.w[l] > VSMALL; ++k)
+        {
+            p[l] -=
+                f[k][l]*(cloud_.rho0()*sums.x[k][l] + sums.sx[k][l])/sums.w[l];
+        }
+    }
+    state_.densityExcess(sums.count, p, rho1);
+
+    for (int k = 0; k < D; ++k)
+    {
+        for (int l = 0; l < sums.count; ++l)
+        {
+            v[k][l] = 0;
+            for (int m = 0; m < D; ++m)
+            {
+                v[k][l] += R[ulph::symmetricIndex(D, k, m)][l]*fluid[m][l];
+            }
+        }
+    }
+    model_.viscousVelocity(sums.count, fluid, v, viscousV);
+
+    densityExcess_.store(0, first, sums.count, rho1);
+    v_.store(first, sums.count, v);
+    viscousV_.store(first, sums.count, viscousV);
+}
+
+
+void Foam::wallLayer::fill
+(
+    const label first,
+    const label count,
+    ulph::geometryTile& tile
+) const
+{
+    x_.load(first, count, tile.x);
+    volume_.load(0, first, count, tile.V);
+    densityExcess_.load(0, first, count, tile.s);
+    v_.load(first, count, tile.v);
+}
+
+
+void Foam::wallLayer::fill
+(
+    const label first,
+    const label count,
+    ulph::forceTile& tile
+) const
+{
+    const int D = cloud_.D();
+    const scalar beta = cloud_.shared().beta;
+
+    x_.load(first, count, tile.x);
+    volume_.load(0, first, count, tile.V);
+    viscousV_.load(first, count, tile.v);
+
+    ulph::laneRow rho1;
+    densityExcess_.load(0, first, count, rho1);
+    state_.pressure(count, rho1, tile.p);
+
+    // The density gradient in balance with the body force
+    bodyForce_.load(first, count, tile.g);
+    for (label l = 0; l < count; ++l)
+    {
+        for (int k = 0; k < D; ++k)
+        {
+            tile.g[k][l] *= cloud_.rho0()/sqr(cloud_.c0());
+            for (int m = k; m < D; ++m)
+            {
+                tile.K[ulph::symmetricIndex(D, k, m)][l] = k == m ? 1/beta : 0;
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,253 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphCloud.H"
+
+#include <numeric>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(ulphCloud, 0);
+}
+
+const Foam::word Foam::ulphCloud::cloudName("fluid");
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::ulphCloud::ulphCloud
+(
+    const fvMesh& mesh,
+    const properties& shared,
+    const wordRes& written
+)
+:
+    cloud(mesh, cloudName),
+    mesh_(mesh),
+    properties_(shared),
+    offPlane_(Zero),
+    written_(written)
+{
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        if (mesh.geometricD()[cmpt] > 0)
+        {
+            axes_.push_back(cmpt);
+        }
+        else
+        {
+            offPlane_[cmpt] = mesh.bounds().centre()[cmpt];
+        }
+    }
+
+    x_ = &requireState("x", D());
+    v_ = &requireState("v", D());
+    densityExcess_ = &requireState("densityExcess", 1);
+    mass_ = &requireState("mass", 1);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::point Foam::ulphCloud::position(const label i) const
+{
+    point p(offPlane_);
+    for (int k = 0; k < D(); ++k)
+    {
+        p[axes_[k]] = x()(i, k);
+    }
+    return p;
+}
+
+
+Foam::vector Foam::ulphCloud::toVector
+(
+    const particleField& field,
+    const label i
+) const
+{
+    vector value(Zero);
+    for (int k = 0; k < D(); ++k)
+    {
+        value[axes_[k]] = field(i, k);
+    }
+    return value;
+}
+
+
+ulph::particleView Foam::ulphCloud::view() const
+{
+    ulph::particleView particles;
+    particles.D = D();
+    particles.n = size_;
+    for (int k = 0; k < D(); ++k)
+    {
+        particles.x[k] = x().component(k);
+    }
+    return particles;
+}
+
+
+void Foam::ulphCloud::volumes
+(
+    const label first,
+    const label count,
+    ulph::laneRow& V
+) const
+{
+    const double* const m = mass().component(0) + first;
+    const double* const rho1 = densityExcess().component(0) + first;
+    for (label l = 0; l < count; ++l)
+    {
+        V[l] = m[l]/(rho0() + rho1[l]);
+    }
+}
+
+
+Foam::particleField& Foam::ulphCloud::require
+(
+    const word& name,
+    const int nComponents
+)
+{
+    if (!derived_.found(name))
+    {
+        derived_.set
+        (
+            name,
+            new particleField(nComponents, properties_.mixed)
+        );
+        derived_[name]->reset(size_);
+    }
+    return *derived_[name];
+}
+
+
+Foam::particleField& Foam::ulphCloud::requireState
+(
+    const word& name,
+    const int nComponents
+)
+{
+    if (!state_.found(name))
+    {
+        state_.set(name, new particleField(nComponents, false));
+        state_[name]->reset(size_);
+    }
+    return *state_[name];
+}
+
+
+const Foam::particleField* Foam::ulphCloud::derived(const word& name) const
+{
+    const auto iter = derived_.cfind(name);
+    return iter.found() ? *iter : nullptr;
+}
+
+
+Foam::particleField* Foam::ulphCloud::derived(const word& name)
+{
+    const auto iter = derived_.find(name);
+    return iter.found() ? *iter : nullptr;
+}
+
+
+Foam::label Foam::ulphCloud::bytes() const
+{
+    label sum = sizeof(label);
+    for (const word& name : state_.toc())
+    {
+        sum += state_[name]->bytes();
+    }
+    for (const word& name : derived_.toc())
+    {
+        sum += derived_[name]->bytes();
+    }
+    return sum;
+}
+
+
+void Foam::ulphCloud::set
+(
+    const UList<point>& positions,
+    const UList<vector>& velocities,
+    const UList<scalar>& densityExcesses,
+    const UList<scalar>& masses
+)
+{
+    size_ = positions.size();
+    for (const word& name : state_.toc())
+    {
+        state_[name]->reset(size_);
+    }
+    for (label i = 0; i < size_; ++i)
+    {
+        for (int k = 0; k < D(); ++k)
+        {
+            x().set(i, k, positions[i][axes_[k]]);
+            v().set(i, k, velocities[i][axes_[k]]);
+        }
+        densityExcess().set(i, 0, densityExcesses[i]);
+        mass().set(i, 0, masses[i]);
+    }
+    origId_.resize(size_);
+    std::iota(origId_.begin(), origId_.end(), 0);
+    sizeDerived();
+}
+
+
+void Foam::ulphCloud::sizeDerived()
+{
+    for (const word& name : derived_.toc())
+    {
+        if (derived_[name]->size() != size_)
+        {
+            derived_[name]->reset(size_);
+        }
+    }
+}
+
+
+void Foam::ulphCloud::permute(const std::vector<int>& order)
+{
+    for (const word& name : state_.toc())
+    {
+        state_[name]->permute(order);
+    }
+
+    std::vector<label> sorted(size_);
+    for (label i = 0; i < size_; ++i)
+    {
+        sorted[i] = origId_[order[i]];
+    }
+    origId_.swap(sorted);
+}
+
+
+void Foam::ulphCloud::remove(const labelHashSet& removed)
+{
+    std::vector<int> kept;
+    std::vector<label> keptId;
+    for (label i = 0; i < size_; ++i)
+    {
+        if (!removed.found(i))
+        {
+            kept.push_back(i);
+            keptId.push_back(origId_[i]);
+        }
+    }
+    for (const word& name : state_.toc())
+    {
+        state_[name]->keep(kept);
+    }
+    origId_.swap(keptId);
+    size_ = label(kept.size());
+    sizeDerived();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "laplacianDensityDiffusion.H"
+#include "addToRunTimeSelectionTable.H"
+#include "symmetric.H"
+#include "MinMax.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace densityDiffusions
+{
+    defineTypeNameAndDebug(laplacianDensityDiffusion, 0);
+    addToRunTimeSelectionTable(densityDiffusion, laplacianDensityDiffusion, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::densityDiffusions::laplacianDensityDiffusion::laplacianDensityDiffusion
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    D_(cloud.D()),
+    diffusivity_
+    (
+        dict.getCheckOrDefault<scalar>("delta", 0.1, scalarMinMax::ge(0))
+       *cloud.h()*cloud.c0()
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::effectNeeds Foam::densityDiffusions::laplacianDensityDiffusion::needs() const
+{
+    effectNeeds all;
+    all.fields.set("densityDiffusion", 1);
+    all.geometry = ulph::laplacianSums;
+    return all;
+}
+
+
+void Foam::densityDiffusions::laplacianDensityDiffusion::geometryRate
+(
+    const ulph::geometryBlock& sums,
+    const ulph::laneRow* K,
+    const ulph::laneRow*,
+    ulph::laneRow& rate
+) const
+{
+    for (int l = 0; l < sums.count; ++l)
+    {
+        rate[l] = 0;
+    }
+    for (int i = 0; i < D_; ++i)
+    {
+        for (int j = 0; j < D_; ++j)
+        {
+            const int c = ulph::symmetricIndex(D_, i, j);
+            for (int l = 0; l < sums.count; ++l)
+            {
+                rate[l] += 2*diffusivity_*K[c][l]*sums.Q[c][l];
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

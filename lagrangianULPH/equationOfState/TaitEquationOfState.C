@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "TaitEquationOfState.H"
+#include "addToRunTimeSelectionTable.H"
+#include "MinMax.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace equationsOfState
+{
+    defineTypeNameAndDebug(TaitEquationOfState, 0);
+    addToRunTimeSelectionTable(equationOfState, TaitEquationOfState, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::equationsOfState::TaitEquationOfState::TaitEquationOfState
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    rho0_(cloud.rho0()),
+    gamma_
+    (
+        dict.getCheckOrDefault<scalar>("gamma", 7, scalarMinMax::ge(SMALL))
+    ),
+    stiffness_(rho0_*sqr(cloud.c0())/gamma_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::equationsOfState::TaitEquationOfState::pressure
+(
+    const label count,
+    const double* densityExcess,
+    double* p
+) const
+{
+    for (label l = 0; l < count; ++l)
+    {
+        p[l] =
+            stiffness_
+           *std::expm1(gamma_*std::log1p(densityExcess[l]/rho0_));
+    }
+}
+
+
+void Foam::equationsOfState::TaitEquationOfState::densityExcess
+(
+    const label count,
+    const double* p,
+    double* densityExcess
+) const
+{
+    for (label l = 0; l < count; ++l)
+    {
+        densityExcess[l] =
+            rho0_*std::expm1(std::log1p(p[l]/stiffness_)/gamma_);
+    }
+}
+
+
+// ************************************************************************* //

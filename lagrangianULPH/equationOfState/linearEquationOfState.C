@@ -1,0 +1,63 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "linearEquationOfState.H"
+#include "addToRunTimeSelectionTable.H"
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace equationsOfState
+{
+    defineTypeNameAndDebug(linearEquationOfState, 0);
+    addToRunTimeSelectionTable(equationOfState, linearEquationOfState, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::equationsOfState::linearEquationOfState::linearEquationOfState
+(
+    const dictionary&,
+    const ulphCloud& cloud
+)
+:
+    c02_(sqr(cloud.c0()))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::equationsOfState::linearEquationOfState::pressure
+(
+    const label count,
+    const double* densityExcess,
+    double* p
+) const
+{
+    for (label l = 0; l < count; ++l)
+    {
+        p[l] = c02_*densityExcess[l];
+    }
+}
+
+
+void Foam::equationsOfState::linearEquationOfState::densityExcess
+(
+    const label count,
+    const double* p,
+    double* densityExcess
+) const
+{
+    for (label l = 0; l < count; ++l)
+    {
+        densityExcess[l] = p[l]/c02_;
+    }
+}
+
+
+// ************************************************************************* //

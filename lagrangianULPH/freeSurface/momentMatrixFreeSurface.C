@@ -1,0 +1,333 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "momentMatrixFreeSurface.H"
+#include "addToRunTimeSelectionTable.H"
+#include "momentTensor.H"
+#include "neighbourSearch.H"
+#include "MinMax.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace freeSurfaces
+{
+    defineTypeNameAndDebug(momentMatrixFreeSurface, 0);
+    addToRunTimeSelectionTable(freeSurface, momentMatrixFreeSurface, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::freeSurfaces::momentMatrixFreeSurface::threshold
+(
+    const dictionary& dict,
+    const word& name,
+    const scalar fraction,
+    const ulphCloud& cloud
+) const
+{
+    const scalar hByDx = cloud.h()/cloud.dx();
+    if (!dict.found(name) && (hByDx < 1.49 || hByDx > 2.51))
+    {
+        FatalIOErrorInFunction(dict)
+            << "No threshold of lambda is known for h/dx = " << hByDx
+            << ", only for 1.5 to 2.5." << nl
+            << "    Set hByDx to 2, or give freeSurface { type momentMatrix; "
+            << "surface ...; interior ...; }" << nl
+            << "    as fractions of the lattice value of lambda, "
+            << cloud.shared().beta/sqr(cloud.dx()) << " here."
+            << exit(FatalIOError);
+    }
+    return
+        dict.getCheckOrDefault<scalar>(name, fraction, scalarMinMax(0, 1))
+       *cloud.shared().beta/sqr(cloud.dx());
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::markNear(const neighbourSearch& search)
+{
+    const ulph::clusterList& list = search.fluidList();
+
+    low_.resize(lambda_->size());
+    forTiles(lambda_->size(), [&](const label first, const label count)
+    {
+        ulph::laneRow lambda;
+        lambda_->load(0, first, count, lambda);
+        for (label l = 0; l < count; ++l)
+        {
+            low_[first + l] = lambda[l] < interior_;
+        }
+    });
+
+    near_.resize(list.size());
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < list.size(); ++i)
+    {
+        const ulph::clusterList::cluster& c = list[i];
+        const std::uint32_t* const neighbours = list.neighbours(c);
+        unsigned char found = 0;
+        for (std::size_t j = c.begin; j < c.fluidEnd && !found; ++j)
+        {
+            found = low_[neighbours[j]];
+        }
+        near_[i] = found;
+    }
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::normals(neighbourSearch& search)
+{
+    class sink
+    :
+        public ulph::sumSink<ulph::geometryBlock>
+    {
+        const int D_;
+        const scalar small_;
+        particleField& normal_;
+
+    public:
+
+        sink(const int D, const scalar beta, particleField& normal)
+        :
+            D_(D),
+            small_(1e-3*std::pow(beta, D)),
+            normal_(normal)
+        {}
+
+        void take(const ulph::geometryBlock& sums) override
+        {
+            ulph::laneRow adj[6];
+            ulph::laneRow determinant;
+            ulph::laneRow n[3];
+            momentTensor::adjugate
+            (
+                D_, sums.count, sums.M, adj, determinant
+            );
+            momentTensor::multiply(D_, sums.count, adj, sums.G, n);
+
+            for (int l = 0; l < sums.count; ++l)
+            {
+                // Too thin for an inverse: the bare sum has the direction
+                const bool poor = determinant[l] < small_;
+                scalar length2 = VSMALL;
+                for (int k = 0; k < D_; ++k)
+                {
+                    n[k][l] = poor ? -sums.G[k][l] : -n[k][l];
+                    length2 += sqr(n[k][l]);
+                }
+                for (int k = 0; k < D_; ++k)
+                {
+                    n[k][l] /= std::sqrt(length2);
+                }
+            }
+            normal_.store(sums.first, sums.count, n);
+        }
+    };
+
+    normal_->reset(lambda_->size());
+    forTiles(lambda_->size(), [&](const label first, const label count)
+    {
+        ulph::laneRow lambda;
+        lambda_->load(0, first, count, lambda);
+        search.sums().packScalar(first, count, lambda);
+    });
+
+    ulph::passRange range;
+    range.mask = near_.data();
+    range.fluidOnly = true;
+    sink normals(D_, search.cloud().shared().beta, *normal_);
+    search.sums().geometry
+    (
+        search.fluidList(),
+        range,
+        ulph::momentSums | ulph::gradientSums,
+        normals
+    );
+}
+
+
+bool Foam::freeSurfaces::momentMatrixFreeSurface::umbrellaEmpty
+(
+    const neighbourSearch& search,
+    const ulph::clusterList::cluster& c,
+    const label i
+) const
+{
+    const particleField& x = search.cloud().x();
+    const std::uint32_t* const neighbours =
+        search.fluidList().neighbours(c);
+
+    for (std::size_t j = c.begin; j < c.fluidEnd; ++j)
+    {
+        const label J = label(neighbours[j]);
+        scalar r2 = 0;
+        scalar along = 0;
+        for (int k = 0; k < D_; ++k)
+        {
+            const scalar d = x.component(k)[J] - x.component(k)[i];
+            r2 += sqr(d);
+            along += d*(*normal_)(i, k);
+        }
+        if (J == i || along <= 0 || r2 >= sqr(2*h_))
+        {
+            continue;
+        }
+        if (r2 >= 2*sqr(h_))
+        {
+            // |x_J - S|^2 with S = x_I + h n
+            if (r2 - 2*h_*along + sqr(h_) < sqr(h_))
+            {
+                return false;
+            }
+        }
+        else if (2*sqr(along) > r2)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
+(
+    const neighbourSearch& search
+)
+{
+    const ulph::clusterList& list = search.fluidList();
+
+    onSurface_.assign(lambda_->size(), 0);
+
+    #pragma omp parallel for schedule(dynamic, 16)
+    for (int i = 0; i < list.size(); ++i)
+    {
+        const ulph::clusterList::cluster& c = list[i];
+        for (int l = 0; near_[i] && l < c.count; ++l)
+        {
+            const label p = c.first + l;
+            const scalar lambda = (*lambda_)(p);
+            onSurface_[p] =
+                lambda < surface_
+             || (lambda <= interior_ && umbrellaEmpty(search, c, p));
+        }
+    }
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
+(
+    const neighbourSearch& search
+)
+{
+    const ulph::clusterList& list = search.fluidList();
+    const particleField& x = search.cloud().x();
+
+    class_->reset(lambda_->size());
+
+    #pragma omp parallel for schedule(dynamic, 16)
+    for (int i = 0; i < list.size(); ++i)
+    {
+        if (!near_[i])
+        {
+            continue;
+        }
+        const ulph::clusterList::cluster& c = list[i];
+        const std::uint32_t* const neighbours = list.neighbours(c);
+
+        for (int l = 0; l < c.count; ++l)
+        {
+            const label p = c.first + l;
+            const bool on = onSurface_[p];
+            bool found = false;
+            for (std::size_t j = c.begin; j < c.fluidEnd && !found; ++j)
+            {
+                // On the surface: any fluid; else: a surface particle
+                const label J = label(neighbours[j]);
+                if (J == p || !(on || onSurface_[J]))
+                {
+                    continue;
+                }
+                scalar r2 = 0;
+                for (int k = 0; k < D_; ++k)
+                {
+                    r2 += sqr(x.component(k)[J] - x.component(k)[p]);
+                }
+                found = r2 < sqr(2*h_);
+            }
+            class_->set
+            (
+                p,
+                0,
+                on ? (found ? surface : splash) : (found ? vicinity : interior)
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::freeSurfaces::momentMatrixFreeSurface::momentMatrixFreeSurface
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    D_(cloud.D()),
+    h_(cloud.h()),
+    dx_(cloud.dx()),
+    surface_(threshold(dict, "surface", surfaceFraction, cloud)),
+    interior_(threshold(dict, "interior", interiorFraction, cloud))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::effectNeeds Foam::freeSurfaces::momentMatrixFreeSurface::needs() const
+{
+    effectNeeds all;
+    all.fields.set("lambda", 1);
+    all.fields.set("surface", 1);
+    all.fields.set("normal", D_);
+    all.geometry = ulph::momentSums;
+    return all;
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::bind(ulphCloud& cloud)
+{
+    lambda_ = cloud.derived("lambda");
+    class_ = cloud.derived("surface");
+    normal_ = cloud.derived("normal");
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::eigenvalue
+(
+    const ulph::geometryBlock& sums,
+    ulph::laneRow& lambda
+) const
+{
+    momentTensor::smallestEigenvalue(D_, sums.count, sums.M, lambda);
+    for (int l = 0; l < sums.count; ++l)
+    {
+        lambda[l] /= sqr(dx_);
+    }
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::detect(neighbourSearch& search)
+{
+    markNear(search);
+    normals(search);
+    markSurface(search);
+    markVicinity(search);
+}
+
+
+// ************************************************************************* //

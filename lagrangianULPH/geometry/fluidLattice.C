@@ -1,0 +1,227 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fluidLattice.H"
+#include "initialField.H"
+#include "particleLattice.H"
+#include "pointGrid.H"
+#include "regionSelection.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Smallest distance to a wall, over dx
+constexpr scalar wallGap = 0.25;
+
+//- Particles of two regions nearer than this overlap, over dx
+constexpr scalar regionGap = 0.9;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::scalar Foam::fluidLattice::spacing
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+{
+    if (!dict.found("dx"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The particle spacing dx [m] is missing." << nl
+            << "    Add for instance: dx 0.01;"
+            << exit(FatalIOError);
+    }
+
+    const scalar dx = dict.get<scalar>("dx");
+
+    if (!(dx > 0) || dx > GREAT)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The particle spacing dx must be a length above zero [m], not "
+            << dx << exit(FatalIOError);
+    }
+
+    const vector span(mesh.bounds().span());
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.geometricD()[d] > 0 && dx > span[d])
+        {
+            FatalIOErrorInFunction(dict)
+                << "The particle spacing dx " << dx
+                << " is larger than the mesh, whose sides are " << span
+                << " m." << nl
+                << "    Make dx a small fraction of the fluid's size, or"
+                << " correct the scale of the mesh"
+                << exit(FatalIOError);
+        }
+    }
+
+    return dx;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
+{
+    const regionSelection region(mesh_, regionDict);
+    const autoPtr<particleLattice> lattice =
+        particleLattice::New(regionDict, search_, dx_);
+
+    const label start = size();
+    label nHeld = 0, nInside = 0;
+
+    lattice->forPlaces
+    (
+        [&](const pointField& places, const scalarField& volumes)
+        {
+            const boolList held(region.holds(places));
+
+            forAll(places, i)
+            {
+                if (!held[i]) continue;
+                ++nHeld;
+
+                if (!search_.contains(places[i])) continue;
+                ++nInside;
+
+                const scalar gap = wallGap*dx_;
+
+                if (search_.nearest(places[i], gap).found()) continue;
+
+                position_.append(places[i]);
+                volume_.append(volumes[i]);
+            }
+        }
+    );
+
+    const label n = size() - start;
+
+    if (n < (1 << search_.nDims()))
+    {
+        FatalIOErrorInFunction(regionDict)
+            << "Region " << regionNames_[regioni] << " gets " << n
+            << " particles: it holds " << nHeld
+            << " places of the lattice within the bounds of the mesh, of which "
+            << nInside << " are inside the mesh and " << n
+            << " clear of the walls." << nl
+            << "    The mesh spans " << search_.bounds()
+            << " m, the particle spacing dx is " << dx_ << " m." << nl
+            << "    Correct the region's place and size (in 2D it must hold"
+            << " the mid-plane), or reduce dx"
+            << exit(FatalIOError);
+    }
+
+    checkOverlap(regionDict, regioni, start);
+
+    const UList<point> own(&position_[start], n);
+    const initialRegion known{mesh_.time(), own, dx_};
+
+    velocity_.append
+    (
+        initialField<vector>::New("velocity", regionDict, known)->value(own)()
+    );
+    pressure_.append
+    (
+        initialField<scalar>::New("pressure", regionDict, known)->value(own)()
+    );
+    region_.append(labelList(n, regioni));
+
+    Info<< "    " << regionNames_[regioni] << ": " << n << " particles" << endl;
+}
+
+
+void Foam::fluidLattice::checkOverlap
+(
+    const dictionary& regionDict,
+    const label regioni,
+    const label start
+) const
+{
+    if (!start) return;
+
+    pointGrid grid(regionGap*dx_);
+    for (label i = 0; i < start; ++i)
+    {
+        grid.append(position_[i]);
+    }
+
+    for (label i = start; i < size(); ++i)
+    {
+        const label other = grid.nearest(position_[i]);
+
+        if (other >= 0)
+        {
+            FatalIOErrorInFunction(regionDict)
+                << "Regions " << regionNames_[region_[other]] << " and "
+                << regionNames_[regioni] << " overlap at " << position_[i]
+                << ": their particles there are "
+                << mag(grid[other] - position_[i]) << " m apart, dx is "
+                << dx_ << " m." << nl
+                << "    Make the regions meet without overlap, on one lattice"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fluidLattice::fluidLattice
+(
+    const fvMesh& mesh,
+    const wallSearch& search,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    search_(search),
+    dx_(spacing(dict, mesh))
+{
+    const dictionary& regions = dict.subDict("regions");
+
+    DynamicList<word> names;
+    for (const entry& e : regions)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(regions)
+                << "Entry " << e.keyword() << " of regions is no dictionary."
+                << nl << "    Write for instance: " << e.keyword()
+                << " { source boxToPoint; box (0 0 0) (1 1 1); }"
+                << exit(FatalIOError);
+        }
+
+        names.append(e.keyword());
+    }
+    regionNames_ = wordList(names);
+
+    if (regionNames_.empty())
+    {
+        FatalIOErrorInFunction(regions)
+            << "There is no region to fill with fluid." << nl
+            << "    Add for instance: column { source boxToPoint;"
+            << " box (0 0 0) (1 1 1); }"
+            << exit(FatalIOError);
+    }
+
+    Info<< "Filling regions with particles, dx " << dx_ << " m" << endl;
+
+    forAll(regionNames_, regioni)
+    {
+        fill(regions.subDict(regionNames_[regioni]), regioni);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "guard.H"
+
+#include "MinMax.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::guard::stop(const std::string& what, const label i) const
+{
+    write_();
+
+    FatalErrorInFunction
+        << "The run has become unstable: " << what.c_str() << nl;
+    if (i >= 0)
+    {
+        FatalError
+            << "    particle " << cloud_.origId()[i] << " at "
+            << cloud_.position(i) << ", U "
+            << cloud_.toVector(cloud_.v(), i) << ", rho "
+            << cloud_.rho0() + cloud_.densityExcess()(i) << nl;
+    }
+    FatalError
+        << "    time " << cloud_.mesh().time().timeName()
+        << "; the last good state is written there." << nl
+        << "    Look at it in ParaView; a smaller maxCo, mode default, or a "
+        << "larger c0 (10 times the" << nl
+        << "    highest speed) are the usual mends."
+        << exit(FatalError);
+
+    ::abort();
+}
+
+
+Foam::label Foam::guard::firstAbove
+(
+    const particleField& field,
+    const scalar bound
+) const
+{
+    for (label i = 0; i < field.size(); ++i)
+    {
+        scalar length2 = 0;
+        for (int c = 0; c < field.nComponents(); ++c)
+        {
+            length2 += sqr(field(i, c));
+        }
+        if (!(length2 <= sqr(bound)))
+        {
+            return i;
+        }
+    }
+    return -1;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::guard::guard
+(
+    const dictionary& ulphProperties,
+    const ulphCloud& cloud,
+    const std::function<void()>& write
+)
+:
+    cloud_(cloud),
+    maxMach_
+    (
+        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
+        (
+            "maxMach", 1, scalarMinMax::ge(0)
+        )
+    ),
+    maxDensityError_
+    (
+        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
+        (
+            "maxDensityError", 0.3, scalarMinMax(0, 0.9)
+        )
+    ),
+    minDeltaTFraction_
+    (
+        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
+        (
+            "minDeltaTFraction", 1e-3, scalarMinMax(0, 1)
+        )
+    ),
+    write_(write)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::guard::checkRate
+(
+    const bool ok,
+    const word& what,
+    const particleField& rate
+) const
+{
+    if (!ok)
+    {
+        stop
+        (
+            what + " is not finite",
+            firstAbove(rate, GREAT)
+        );
+    }
+}
+
+
+void Foam::guard::checkState
+(
+    const scalar maxSpeed,
+    const scalar maxExcess
+) const
+{
+    if (!(maxSpeed <= maxMach_*cloud_.c0()))
+    {
+        stop
+        (
+            "speed above " + std::to_string(maxMach_) + " c0",
+            firstAbove(cloud_.v(), maxMach_*cloud_.c0())
+        );
+    }
+    if (!(maxExcess <= maxDensityError_*cloud_.rho0()))
+    {
+        stop
+        (
+            "density off by more than " + std::to_string(maxDensityError_)
+          + " rho0",
+            firstAbove
+            (
+                cloud_.densityExcess(), maxDensityError_*cloud_.rho0()
+            )
+        );
+    }
+}
+
+
+void Foam::guard::checkDeltaT
+(
+    const scalar deltaT,
+    const scalar acoustic
+) const
+{
+    if (!(deltaT >= minDeltaTFraction_*acoustic))
+    {
+        stop
+        (
+            "the time step collapsed to " + std::to_string(deltaT/acoustic)
+          + " of h/c0",
+            -1
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "eigenvalueFlooredMomentMatrix.H"
+#include "addToRunTimeSelectionTable.H"
+#include "momentTensor.H"
+#include "MinMax.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace momentMatrices
+{
+    defineTypeNameAndDebug(eigenvalueFlooredMomentMatrix, 0);
+    addToRunTimeSelectionTable(momentMatrix, eigenvalueFlooredMomentMatrix, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentMatrices::eigenvalueFlooredMomentMatrix::eigenvalueFlooredMomentMatrix
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    momentMatrix(cloud),
+    floor_
+    (
+        beta_*dict.getCheckOrDefault<scalar>
+        (
+            "floor", 0.36, scalarMinMax(SMALL, 1)
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::invert
+(
+    const ulph::geometryBlock& sums,
+    const ulph::laneRow&,
+    ulph::laneRow* K
+)
+{
+    ulph::laneRow determinant;
+    ulph::laneRow lambda;
+    momentTensor::adjugate(D_, sums.count, sums.M, K, determinant);
+    momentTensor::smallestEigenvalue(D_, sums.count, sums.M, lambda);
+
+    label nFloored = 0;
+    for (int l = 0; l < sums.count; ++l)
+    {
+        const scalar factor = 1/max(determinant[l], VSMALL);
+        for (int c = 0; c < ulph::nSymmetric(D_); ++c)
+        {
+            K[c][l] *= factor;
+        }
+        if (!(lambda[l] > floor_))
+        {
+            momentTensor::flooredInverse(D_, l, sums.M, floor_, K);
+            ++nFloored;
+        }
+    }
+    if (nFloored)
+    {
+        #pragma omp atomic
+        nFloored_ += nFloored;
+    }
+}
+
+
+void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::report(Ostream& os) const
+{
+    os  << "    momentMatrix: an eigenvalue floored " << nFloored_ << " times"
+        << nl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "neighbourSearch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::shared_ptr<const ulph::cellLayout>
+Foam::neighbourSearch::makeCells(const ulphCloud& cloud)
+{
+    // Five layers of wall, and room for what the guard has yet to stop
+    const scalar margin = 8*cloud.dx();
+
+    std::array<double, 3> lower{};
+    std::array<double, 3> upper{};
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        lower[k] = cloud.mesh().bounds().min()[cloud.axis(k)] - margin;
+        upper[k] = cloud.mesh().bounds().max()[cloud.axis(k)] + margin;
+    }
+    return std::make_shared<ulph::cellLayout>
+    (
+        cloud.D(), lower, upper, 2*cloud.dx()
+    );
+}
+
+
+void Foam::neighbourSearch::build()
+{
+    const scalar reach = 2*cloud_.h() + skin_;
+    const scalar longest = 8*cloud_.dx();
+
+    cloud_.permute(fluidGrid_.sort(cloud_.view()));
+    wall_.update(fluidGrid_, reach);
+    wall_.permute(wallGrid_.sort(wall_.view()));
+
+    const ulph::clusterList::sourceGroup fluid
+    {
+        &fluidGrid_, cloud_.view(), 0
+    };
+    const ulph::clusterList::sourceGroup wall
+    {
+        &wallGrid_, wall_.view(), firstWall()
+    };
+
+    const int width = sums_->width();
+    fluidList_.build(fluid, width, reach, longest, fluid, wall);
+    wallList_.build(wall, width, reach, longest, fluid, {});
+
+    sums_->resize(firstWall() + wall_.size());
+
+    valid_ = true;
+    moved_ = 0;
+    ++nBuilds_;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::neighbourSearch::neighbourSearch
+(
+    ulphCloud& cloud,
+    wallLayer& wall,
+    const kernel& weight,
+    const scalar skin
+)
+:
+    cloud_(cloud),
+    wall_(wall),
+    sums_(weight.sums(cloud.shared().mixed)),
+    skin_(skin*cloud.dx()),
+    cells_(makeCells(cloud)),
+    fluidGrid_(cells_),
+    wallGrid_(cells_)
+{
+    std::array<double, 3> upper(cells_->lower());
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        upper[k] += cells_->extent(k)*cells_->size();
+    }
+    sums_->setFrame(cells_->lower(), upper);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::neighbourSearch::update()
+{
+    if (valid_ && 2*moved_ < skin_)
+    {
+        return false;
+    }
+    build();
+    return true;
+}
+
+
+std::size_t Foam::neighbourSearch::bytes() const
+{
+    return sums_->bytes() + fluidList_.bytes() + wallList_.bytes()
+      + fluidGrid_.bytes() + wallGrid_.bytes();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,212 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rightHandSide.H"
+#include "rightHandSideSinks.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::rightHandSide::packFluid()
+{
+    forTiles(cloud_.size(), [&](const label first, const label count)
+    {
+        ulph::geometryTile tile;
+        cloud_.x().load(first, count, tile.x);
+        cloud_.v().load(first, count, tile.v);
+        cloud_.densityExcess().load(0, first, count, tile.s);
+        cloud_.volumes(first, count, tile.V);
+        search_.sums().pack(first, count, tile);
+    });
+}
+
+
+void Foam::rightHandSide::updateWalls(const bool firstAtPositions)
+{
+    if (!wall_.size())
+    {
+        return;
+    }
+    ledger::section timer(ledger_, "walls");
+
+    const auto pack = [&]()
+    {
+        forTiles(wall_.size(), [&](const label first, const label count)
+        {
+            ulph::geometryTile tile;
+            wall_.fill(first, count, tile);
+            search_.sums().pack(search_.firstWall() + first, count, tile);
+        });
+    };
+
+    if (firstAtPositions)
+    {
+        pack();
+    }
+    search_.sums().interpolate(search_.wallList(), wall_);
+    pack();
+}
+
+
+void Foam::rightHandSide::findSurface()
+{
+    ledger::section timer(ledger_, "surface");
+    models_.surface->detect(search_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rightHandSide::rightHandSide
+(
+    ulphCloud& cloud,
+    ulphModels& models,
+    const schedule& plan,
+    wallLayer& wall,
+    neighbourSearch& search,
+    wallContact& contact,
+    ledger& times
+)
+:
+    cloud_(cloud),
+    models_(models),
+    schedule_(plan),
+    wall_(wall),
+    search_(search),
+    contact_(contact),
+    ledger_(times)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::rightHandSide::updateNeighbours()
+{
+    ledger::section timer(ledger_, "neighbours");
+    if (search_.update())
+    {
+        wall_.firstRecord = search_.firstWall();
+        contact_.update(search_);
+    }
+}
+
+
+void Foam::rightHandSide::geometry(const scalar t, const bool withSurface)
+{
+    wall_.setBodyForce(t);
+    {
+        ledger::section timer(ledger_, "pack");
+        packFluid();
+    }
+    updateWalls(true);
+
+    const bool surfaceFirst = models_.moment->needsSurface() && withSurface;
+    if (surfaceFirst)
+    {
+        {
+            ledger::section timer(ledger_, "surface");
+            eigenvalueSink sink(cloud_, *models_.surface);
+            search_.sums().geometry
+            (
+                search_.fluidList(), {}, ulph::momentSums, sink
+            );
+        }
+        findSurface();
+        ledger::section timer(ledger_, "pack");
+        packFluid();
+    }
+    {
+        ledger::section timer(ledger_, "geometryPass");
+        geometrySink sink(cloud_, models_, models_.moment->needsSurface());
+        search_.sums().geometry
+        (
+            search_.fluidList(), {}, schedule_.geometrySums(), sink
+        );
+    }
+    if (withSurface && !surfaceFirst && !models_.surface->off())
+    {
+        findSurface();
+    }
+}
+
+
+void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
+{
+    if (densityChanged)
+    {
+        {
+            ledger::section timer(ledger_, "pack");
+            forTiles(cloud_.size(), [&](const label first, const label count)
+            {
+                ulph::laneRow rho1;
+                cloud_.densityExcess().load(0, first, count, rho1);
+                search_.sums().packScalar(first, count, rho1);
+            });
+        }
+        updateWalls(false);
+    }
+    {
+        ledger::section timer(ledger_, "pack");
+
+        const particleField& K = *cloud_.derived("inverseMoment");
+        const particleField* const gradient = cloud_.derived("densityGradient");
+
+        forTiles(cloud_.size(), [&](const label first, const label count)
+        {
+            ulph::forceTile tile = {};
+            ulph::laneRow rho1;
+            cloud_.x().load(first, count, tile.x);
+            cloud_.v().load(first, count, tile.v);
+            cloud_.volumes(first, count, tile.V);
+            cloud_.densityExcess().load(0, first, count, rho1);
+            models_.state->pressure(count, rho1, tile.p);
+            K.load(first, count, tile.K);
+            if (gradient)
+            {
+                gradient->load(first, count, tile.g);
+            }
+            search_.sums().pack(first, count, tile);
+        });
+        forTiles(wall_.size(), [&](const label first, const label count)
+        {
+            ulph::forceTile tile;
+            wall_.fill(first, count, tile);
+            search_.sums().pack(search_.firstWall() + first, count, tile);
+        });
+    }
+
+    ledger::section timer(ledger_, "forcePass");
+    ulph::viscousSettings viscous;
+    viscous.eta2 = sqr(0.1*cloud_.h());
+    forceSink sink(cloud_, models_, t);
+    search_.sums().force
+    (
+        search_.fluidList(), schedule_.forceSums(), viscous, sink
+    );
+}
+
+
+void Foam::rightHandSide::divergence()
+{
+    {
+        ledger::section timer(ledger_, "pack");
+        forTiles(cloud_.size(), [&](const label first, const label count)
+        {
+            ulph::laneRow v[3];
+            cloud_.v().load(first, count, v);
+            search_.sums().packVelocity(first, count, v);
+        });
+    }
+    updateWalls(false);
+
+    ledger::section timer(ledger_, "divergencePass");
+    divergenceSink sink(cloud_);
+    search_.sums().geometry
+    (
+        search_.fluidList(), {}, ulph::velocityGradientSums, sink
+    );
+}
+
+
+// ************************************************************************* //

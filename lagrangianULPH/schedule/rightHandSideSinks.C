@@ -1,0 +1,251 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rightHandSideSinks.H"
+
+#include "symmetric.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// div v = K : L
+static void storeDivergence
+(
+    const int D,
+    const ulph::geometryBlock& sums,
+    const ulph::laneRow* K,
+    particleField& divergence
+)
+{
+    ulph::laneRow div = {};
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            const int c = ulph::symmetricIndex(D, i, j);
+            for (int l = 0; l < sums.count; ++l)
+            {
+                div[l] += K[c][l]*sums.L[i*D + j][l];
+            }
+        }
+    }
+    divergence.store(0, sums.first, sums.count, div);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * geometrySink  * * * * * * * * * * * * * * * //
+
+Foam::geometrySink::geometrySink
+(
+    ulphCloud& cloud,
+    ulphModels& models,
+    const bool surfaceKnown
+)
+:
+    D_(cloud.D()),
+    models_(models),
+    surfaceKnown_(surfaceKnown),
+    K_(*cloud.derived("inverseMoment")),
+    b_(*cloud.derived("kernelGradient")),
+    divergence_(*cloud.derived("divergence")),
+    surface_(cloud.derived("surface")),
+    lambda_(cloud.derived("lambda")),
+    gradient_(cloud.derived("densityGradient")),
+    diffusion_(cloud.derived("densityDiffusion")),
+    shift_(cloud.derived("shift"))
+{}
+
+
+void Foam::geometrySink::take(const ulph::geometryBlock& sums)
+{
+    ulph::laneRow K[6];
+    ulph::laneRow surface = {};
+    if (surfaceKnown_)
+    {
+        surface_->load(0, sums.first, sums.count, surface);
+    }
+    models_.moment->invert(sums, surface, K);
+    K_.store(sums.first, sums.count, K);
+    b_.store(sums.first, sums.count, sums.b);
+    storeDivergence(D_, sums, K, divergence_);
+
+    if (lambda_ && !surfaceKnown_)
+    {
+        ulph::laneRow lambda;
+        models_.surface->eigenvalue(sums, lambda);
+        lambda_->store(0, sums.first, sums.count, lambda);
+    }
+
+    if (diffusion_)
+    {
+        ulph::laneRow gradient[3];
+        if (gradient_)
+        {
+            momentTensor::multiply(D_, sums.count, K, sums.G, gradient);
+            gradient_->store(sums.first, sums.count, gradient);
+        }
+        ulph::laneRow rate;
+        models_.diffusion->geometryRate(sums, K, gradient, rate);
+        diffusion_->store(0, sums.first, sums.count, rate);
+    }
+
+    if (shift_)
+    {
+        ulph::laneRow R[3];
+        models_.shift->direction(sums, R);
+        shift_->store(sums.first, sums.count, R);
+    }
+}
+
+
+// * * * * * * * * * * * * * *  divergenceSink  * * * * * * * * * * * * * * * //
+
+Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
+:
+    D_(cloud.D()),
+    K_(*cloud.derived("inverseMoment")),
+    divergence_(*cloud.derived("divergence"))
+{}
+
+
+void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
+{
+    ulph::laneRow K[6];
+    K_.load(sums.first, sums.count, K);
+    storeDivergence(D_, sums, K, divergence_);
+}
+
+
+// * * * * * * * * * * * * * *  eigenvalueSink  * * * * * * * * * * * * * * * //
+
+Foam::eigenvalueSink::eigenvalueSink
+(
+    ulphCloud& cloud,
+    const freeSurface& surface
+)
+:
+    surface_(surface),
+    lambda_(*cloud.derived("lambda"))
+{}
+
+
+void Foam::eigenvalueSink::take(const ulph::geometryBlock& sums)
+{
+    ulph::laneRow lambda;
+    surface_.eigenvalue(sums, lambda);
+    lambda_.store(0, sums.first, sums.count, lambda);
+}
+
+
+// * * * * * * * * * * * * * * * * forceSink * * * * * * * * * * * * * * * * //
+
+Foam::forceSink::forceSink
+(
+    ulphCloud& cloud,
+    const ulphModels& models,
+    const scalar t
+)
+:
+    cloud_(cloud),
+    models_(models),
+    t_(t),
+    K_(*cloud.derived("inverseMoment")),
+    b_(*cloud.derived("kernelGradient")),
+    acceleration_(*cloud.derived("acceleration")),
+    diffusion_(cloud.derived("densityDiffusion"))
+{}
+
+
+void Foam::forceSink::addBodyForce
+(
+    const label first,
+    const label n,
+    ulph::laneRow* a
+) const
+{
+    vector f(models_.force->acceleration(Zero, t_));
+    for (label l = 0; l < n; ++l)
+    {
+        if (!models_.force->uniform())
+        {
+            f = models_.force->acceleration(cloud_.position(first + l), t_);
+        }
+        for (int k = 0; k < cloud_.D(); ++k)
+        {
+            a[k][l] += f[cloud_.axis(k)];
+        }
+    }
+}
+
+
+void Foam::forceSink::take(const ulph::forceBlock& sums)
+{
+    const int D = cloud_.D();
+    const label n = sums.count;
+
+    ulph::laneRow K[6];
+    ulph::laneRow b[3];
+    ulph::laneRow Kb[3];
+    ulph::laneRow rho1;
+    ulph::laneRow p;
+    ulph::laneRow a[3];
+
+    K_.load(sums.first, n, K);
+    b_.load(sums.first, n, b);
+    momentTensor::multiply(D, n, K, b, Kb);
+    cloud_.densityExcess().load(0, sums.first, n, rho1);
+    models_.state->pressure(n, rho1, p);
+
+    for (int k = 0; k < D; ++k)
+    {
+        for (label l = 0; l < n; ++l)
+        {
+            a[k][l] = -(sums.pressure[k][l] + p[l]*Kb[k][l]);
+        }
+    }
+
+    const scalar mu = models_.viscous->mu();
+    if (mu > 0)
+    {
+        ulph::laneRow KA[3];
+        momentTensor::multiply(D, n, K, sums.A, KA);
+        const bool symmetric = models_.viscous->symmetric();
+        for (int k = 0; k < D; ++k)
+        {
+            for (label l = 0; l < n; ++l)
+            {
+                a[k][l] +=
+                    symmetric
+                  ? 0.5*mu*(KA[k][l] + sums.symmetricA[k][l])
+                  : mu*KA[k][l];
+            }
+        }
+    }
+
+    for (int k = 0; k < D; ++k)
+    {
+        for (label l = 0; l < n; ++l)
+        {
+            a[k][l] /= cloud_.rho0() + rho1[l];
+        }
+    }
+    addBodyForce(sums.first, n, a);
+    acceleration_.store(sums.first, n, a);
+
+    if (diffusion_)
+    {
+        ulph::laneRow rate;
+        diffusion_->load(0, sums.first, n, rate);
+        models_.diffusion->addForceRate(sums, K, rate);
+        diffusion_->store(0, sums.first, n, rate);
+    }
+}
+
+
+// ************************************************************************* //

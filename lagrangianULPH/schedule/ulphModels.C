@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphModels.H"
+
+#include "IOobject.H"
+#include "IStringStream.H"
+#include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool hasWalls(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(patch))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+static bool hasGravity(const polyMesh& mesh)
+{
+    IOobject header
+    (
+        "g", mesh.time().constant(), mesh.time(), IOobject::MUST_READ
+    );
+    return header.typeHeaderOk<IOdictionary>(false);
+}
+
+
+static const char* const defaultMode =
+    "equationOfState    linear;"
+    "momentMatrix       { type eigenvalueFloored; floor 0.36; }"
+    "freeSurface        momentMatrix;"
+    "densityDiffusion   { type ULPH; delta 0.1; }"
+    "shifting           { type Fickian; C 2; }"
+    "wall               noSlip;"
+    "timeIntegration    driftKickDrift;";
+
+static const char* const paperMode =
+    "equationOfState    linear;"
+    "momentMatrix       optimal;"
+    "freeSurface        momentMatrix;"
+    "densityDiffusion   { type ULPH; delta 0.1; }"
+    "shifting           { type XuStansbyLaurence; C 0.04; }"
+    "viscosity          { type artificial; alpha 0.1; symmetric no; }"
+    "wall               noSlip;"
+    "timeIntegration    predictorCorrector;";
+
+static const char* const stillWalls =
+    "viscosity          { type artificial; alpha 0.02; }";
+
+static const char* const inviscid =
+    "viscosity          none;";
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::ulphModels::ulphModels
+(
+    const dictionary& ulphProperties,
+    const ulphCloud& cloud
+)
+:
+    dict(complete(ulphProperties, cloud.mesh())),
+    state(equationOfState::New(dict, cloud)),
+    moment(momentMatrix::New(dict, cloud)),
+    surface(freeSurface::New(dict, cloud)),
+    diffusion(densityDiffusion::New(dict, cloud)),
+    shift(shifting::New(dict, cloud)),
+    viscous(viscosity::New(dict, cloud)),
+    force(bodyForce::New(dict, cloud)),
+    boundary(wall::New(dict, cloud)),
+    integration(timeIntegration::New(dict, cloud))
+{
+    if (moment->needsSurface() && surface->off())
+    {
+        FatalIOErrorInFunction(ulphProperties)
+            << "momentMatrix " << moment->model()
+            << " depends on the free surface, but freeSurface is none." << nl
+            << "    Set freeSurface momentMatrix; or choose another "
+            << "momentMatrix, for instance eigenvalueFloored."
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::dictionary Foam::ulphModels::complete
+(
+    const dictionary& ulphProperties,
+    const polyMesh& mesh
+)
+{
+    const word mode(ulphProperties.getOrDefault<word>("mode", "default"));
+
+    dictionary all(ulphProperties);
+    const auto fill = [&](const char* const entries)
+    {
+        const dictionary defaults((IStringStream(entries)()));
+        for (const entry& e : defaults)
+        {
+            if (!all.found(e.keyword()))
+            {
+                all.add(e);
+            }
+        }
+    };
+
+    if (mode == "default")
+    {
+        fill(defaultMode);
+        fill(hasWalls(mesh) ? stillWalls : inviscid);
+    }
+    else if (mode == "paper")
+    {
+        fill(paperMode);
+    }
+    else
+    {
+        FatalIOErrorInFunction(ulphProperties)
+            << "Unknown mode " << mode << nl << nl
+            << "Valid modes are" << nl
+            << wordList({"default", "paper"}) << nl
+            << exit(FatalIOError);
+    }
+    fill(hasGravity(mesh) ? "bodyForce gravity;" : "bodyForce none;");
+
+    return all;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::UPtrList<Foam::effect> Foam::ulphModels::all()
+{
+    effect* const models[] =
+    {
+        state.get(), moment.get(), surface.get(), diffusion.get(),
+        shift.get(), viscous.get(), force.get(), boundary.get(),
+        integration.get()
+    };
+
+    UPtrList<effect> list(label(std::size(models)));
+    forAll(list, i)
+    {
+        list.set(i, models[i]);
+    }
+    return list;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,313 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphSolver.H"
+
+#include "fluidLattice.H"
+#include "MinMax.H"
+#include "Time.H"
+
+#include <omp.h>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::ulphCloud::properties Foam::ulphSolver::shared
+(
+    const dictionary& dict,
+    const kernel& weight,
+    const scalar dx
+)
+{
+    const word precision(dict.getOrDefault<word>("precision", "mixed"));
+    if (precision != "mixed" && precision != "double")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown precision " << precision << nl << nl
+            << "Valid precisions are" << nl
+            << wordList({"double", "mixed"}) << nl
+            << exit(FatalIOError);
+    }
+
+    ulphCloud::properties p;
+    p.dx = dx;
+    p.h = weight.h();
+    p.rho0 = dict.getCheck<scalar>("rho0", scalarMinMax::ge(SMALL));
+    p.c0 = dict.getCheck<scalar>("c0", scalarMinMax::ge(SMALL));
+    p.beta = weight.latticeMoment();
+    p.mixed = precision == "mixed";
+    return p;
+}
+
+
+void Foam::ulphSolver::makeParticles()
+{
+    if (ulphCloud::found(mesh_, time_.timeName()))
+    {
+        cloud_.read(time_.timeName());
+        Info<< "Read " << cloud_.size() << " particles of time "
+            << time_.timeName() << nl << endl;
+        return;
+    }
+
+    const fluidLattice lattice(mesh_, search_, properties_);
+
+    const label n = lattice.size();
+    scalarField rho1(n);
+    scalarField mass(n);
+    for (label i = 0; i < n; ++i)
+    {
+        rho1[i] = models_.state->densityExcess(lattice.pressure()[i]);
+        mass[i] = cloud_.rho0()*lattice.volume()[i];
+    }
+    cloud_.set(lattice.position(), lattice.velocity(), rho1, mass);
+
+    Info<< "Filled " << n << " particles into " << lattice.regionNames().size()
+        << " regions" << nl << endl;
+}
+
+
+Foam::scalar Foam::ulphSolver::maxCo() const
+{
+    return time_.controlDict().getCheckOrDefault<scalar>
+    (
+        "maxCo",
+        models_.integration->defaultMaxCo(),
+        scalarMinMax::ge(SMALL)
+    );
+}
+
+
+Foam::scalar Foam::ulphSolver::stableDeltaT(const scalar maxCo) const
+{
+    const scalar h = cloud_.h();
+
+    scalar dt = maxCo*h/(cloud_.c0() + tools_->maxSpeed());
+    if (tools_->maxAcceleration() > 0)
+    {
+        dt = min(dt, maxCo*std::sqrt(h/tools_->maxAcceleration()));
+    }
+    const scalar nu = models_.viscous->nu(cloud_);
+    if (nu > 0)
+    {
+        dt = min(dt, 0.125*sqr(h)/nu);
+    }
+    return dt;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
+:
+    time_(time),
+    mesh_(mesh),
+    properties_
+    (
+        IOobject
+        (
+            "ulphProperties",
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    dx_(fluidLattice::spacing(properties_, mesh)),
+    kernel_(properties_, mesh.nGeometricD(), dx_),
+    cloud_
+    (
+        mesh,
+        shared(properties_, kernel_, dx_),
+        wordRes
+        (
+            properties_.getOrDefault
+            (
+                "fields",
+                List<wordRe>
+                (
+                    1, wordRe("p|rho|lambda|surface|normal", wordRe::REGEX)
+                )
+            )
+        )
+    ),
+    models_(properties_, cloud_),
+    search_(mesh),
+    locator_(mesh),
+    wall_(cloud_, search_, *models_.boundary, *models_.force, *models_.state),
+    neighbours_
+    (
+        cloud_,
+        wall_,
+        kernel_,
+        properties_.getCheckOrDefault<scalar>("skin", 0.2, scalarMinMax(0, 2))
+    ),
+    contact_(cloud_, search_),
+    schedule_(models_, cloud_),
+    guard_(properties_, cloud_, [this]() { write(true); }),
+    rates_
+    (
+        cloud_, models_, schedule_, wall_, neighbours_, contact_, ledger_
+    ),
+    startClock_(ledger::clockTime()),
+    startTime_(time.value())
+{
+    cloud_.setPressure
+    (
+        [this](const scalar rho1) { return models_.state->pressure(rho1); }
+    );
+    makeParticles();
+
+    tools_.reset(new stepTools(rates_, contact_, guard_));
+    tools_->setMaxAcceleration
+    (
+        cloud_.readProperties(time.timeName()).getOrDefault<scalar>
+        (
+            "maxAcceleration",
+            cloud_.size()
+          ? mag(models_.force->acceleration(cloud_.position(0), time.value()))
+          : 0
+        )
+    );
+
+    schedule::print(models_, cloud_, Info);
+    Info<< "Threads " << omp_get_max_threads() << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::ulphSolver::setDeltaT()
+{
+    if (time_.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        time_.setDeltaT
+        (
+            min
+            (
+                stableDeltaT(maxCo()),
+                time_.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT)
+            )
+        );
+    }
+    guard_.checkDeltaT(time_.deltaTValue(), cloud_.h()/cloud_.c0());
+}
+
+
+void Foam::ulphSolver::evaluate()
+{
+    rates_.updateNeighbours();
+    rates_.geometry(time_.value(), true);
+    rates_.force(time_.value(), false);
+}
+
+
+void Foam::ulphSolver::advance()
+{
+    const scalar dt = time_.deltaTValue();
+    models_.integration->advance(*tools_, time_.value() - dt, dt);
+    tools_->check();
+    ledger_.addStep(cloud_.size());
+}
+
+
+void Foam::ulphSolver::write(const bool always)
+{
+    if (!always && !time_.writeTime())
+    {
+        return;
+    }
+    ledger::section timer(ledger_, "write");
+
+    dictionary extra;
+    extra.add("nParticles", cloud_.size());
+    extra.add("maxAcceleration", tools_->maxAcceleration());
+    if (!cloud_.write(locator_, extra))
+    {
+        WarningInFunction
+            << cloud_.nNotWritten()
+            << " particles lie in no cell of the mesh and were not written"
+            << endl;
+    }
+
+    // A restart from here makes new lists: so must this run, to stay the same
+    neighbours_.invalidate();
+}
+
+
+void Foam::ulphSolver::info() const
+{
+    const scalar perSpeed = time_.deltaTValue()/cloud_.h();
+    Info<< "Courant Number mean: " << cloud_.c0()*perSpeed
+        << " max: " << (cloud_.c0() + tools_->maxSpeed())*perSpeed << nl
+        << "particles " << cloud_.size() << ", walls " << wall_.size()
+        << ", max(mag(U)) " << tools_->maxSpeed() << nl;
+
+    const scalar done = time_.value() - startTime_;
+    const scalar left = time_.endTime().value() - time_.value();
+    if (done > 0 && left > 0)
+    {
+        Info<< "predicted finish in "
+            << (ledger::clockTime() - startClock_)*left/done << " s" << nl;
+    }
+}
+
+
+void Foam::ulphSolver::predict()
+{
+    // The second evaluation has its memory warm
+    scalar seconds = 0;
+    for (int i = 0; i < 2; ++i)
+    {
+        const scalar start = ledger::clockTime();
+        neighbours_.invalidate();
+        evaluate();
+        seconds = ledger::clockTime() - start;
+    }
+
+    const scalar dt =
+        time_.controlDict().getOrDefault("adjustTimeStep", false)
+      ? stableDeltaT(maxCo())
+      : time_.deltaTValue();
+    const scalar steps = (time_.endTime().value() - time_.value())/dt;
+
+    Info<< nl << "Prediction" << nl
+        << "    fluid particles        " << cloud_.size() << nl
+        << "    wall particles in reach " << wall_.size() << nl
+        << "    sources listed per particle "
+        << neighbours_.fluidList().meanListed() << nl
+        << "    memory                 "
+        << (cloud_.size()*scalar(cloud_.bytes()) + neighbours_.bytes())/1e6
+        << " MB" << nl
+        << "    time step              " << dt << " s at the start" << nl
+        << "    steps                  " << steps << nl
+        << "    wall time              about "
+        << steps*seconds*models_.integration->evaluationsPerStep()
+        << " s" << nl << endl;
+}
+
+
+void Foam::ulphSolver::report() const
+{
+    Info<< nl;
+    ledger_.report(Info);
+    Info<< "    sources listed per particle "
+        << neighbours_.fluidList().meanListed()
+        << ", lists made " << neighbours_.nBuilds() << " times" << nl
+        << "    memory "
+        << cloud_.bytes() << " bytes of fields and "
+        << neighbours_.bytes()/scalar(max(cloud_.size(), label(1)))
+        << " bytes of lists and records per particle" << nl
+        << "Clamped, floored or removed" << nl;
+    UPtrList<effect> effects(const_cast<ulphModels&>(models_).all());
+    for (const effect& e : effects)
+    {
+        e.report(Info);
+    }
+    contact_.report(Info);
+    Info<< endl;
+}
+
+
+// ************************************************************************* //

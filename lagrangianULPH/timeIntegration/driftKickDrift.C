@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "driftKickDrift.H"
+#include "addToRunTimeSelectionTable.H"
+#include "stepTools.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace timeIntegrations
+{
+    defineTypeNameAndDebug(driftKickDrift, 0);
+    addToRunTimeSelectionTable(timeIntegration, driftKickDrift, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::timeIntegrations::driftKickDrift::driftKickDrift
+(
+    const dictionary&,
+    const ulphCloud&
+)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::timeIntegrations::driftKickDrift::advance
+(
+    stepTools& tools,
+    const scalar t,
+    const scalar dt
+) const
+{
+    rightHandSide& rates = tools.rates();
+    const scalar middle = t + 0.5*dt;
+
+    tools.drift(0.5*dt);
+    rates.updateNeighbours();
+    rates.geometry(middle, true);
+    tools.advanceDensity(0.5*dt, 0);
+    rates.force(middle, true);
+    tools.kick(dt);
+    rates.divergence();
+    tools.advanceDensity(0.5*dt, dt);
+    tools.drift(0.5*dt);
+    tools.shift(dt);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "predictorCorrector.H"
+#include "addToRunTimeSelectionTable.H"
+#include "stepTools.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace timeIntegrations
+{
+    defineTypeNameAndDebug(predictorCorrector, 0);
+    addToRunTimeSelectionTable(timeIntegration, predictorCorrector, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::timeIntegrations::predictorCorrector::predictorCorrector
+(
+    const dictionary&,
+    const ulphCloud&
+)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::timeIntegrations::predictorCorrector::advance
+(
+    stepTools& tools,
+    const scalar t,
+    const scalar dt
+) const
+{
+    rightHandSide& rates = tools.rates();
+
+    rates.updateNeighbours();
+    rates.geometry(t, true);
+    rates.force(t, false);
+
+    tools.save();
+    tools.drift(0.5*dt);
+    tools.kick(0.5*dt);
+    tools.advanceDensity(0.5*dt, 0.5*dt);
+
+    rates.updateNeighbours();
+    rates.geometry(t + 0.5*dt, true);
+    rates.force(t + 0.5*dt, false);
+
+    tools.advanceSaved(dt);
+    tools.shift(dt);
+}
+
+
+// ************************************************************************* //

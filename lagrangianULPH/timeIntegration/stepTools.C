@@ -1,0 +1,250 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "stepTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields()
+{
+    ulphCloud& cloud = rates_.cloud();
+    return
+    {{
+        {cloud.x(), cloud.requireState("xSaved", cloud.D())},
+        {cloud.v(), cloud.requireState("vSaved", cloud.D())},
+        {cloud.densityExcess(), cloud.requireState("densityExcessSaved", 1)}
+    }};
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stepTools::stepTools
+(
+    rightHandSide& rates,
+    wallContact& contact,
+    const guard& check
+)
+:
+    rates_(rates),
+    contact_(contact),
+    guard_(check)
+{
+    measureSpeed();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stepTools::measureSpeed()
+{
+    const ulphCloud& cloud = rates_.cloud();
+    const int D = cloud.D();
+    scalar max2 = 0;
+
+    #pragma omp parallel for schedule(static) reduction(max : max2)
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        scalar v2 = 0;
+        for (int k = 0; k < D; ++k)
+        {
+            v2 += sqr(cloud.v().component(k)[i]);
+        }
+        max2 = v2 > max2 ? v2 : max2;
+    }
+    maxSpeed_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
+}
+
+
+void Foam::stepTools::drift(const scalar dt)
+{
+    ledger::section timer(rates_.times(), "integration");
+    ulphCloud& cloud = rates_.cloud();
+
+    contact_.limitVelocity();
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        double* const x = cloud.x().component(k);
+        const double* const v = cloud.v().component(k);
+
+        #pragma omp parallel for schedule(static)
+        for (label i = 0; i < cloud.size(); ++i)
+        {
+            x[i] += dt*v[i];
+        }
+    }
+    rates_.addMotion(dt*maxSpeed_);
+}
+
+
+void Foam::stepTools::kick(const scalar dt)
+{
+    ledger::section timer(rates_.times(), "integration");
+    ulphCloud& cloud = rates_.cloud();
+    const int D = cloud.D();
+    const particleField& a = *cloud.derived("acceleration");
+
+    // A sum does not lose a value that is not finite, as a maximum may
+    scalar max2 = 0;
+    scalar sum2 = 0;
+
+    #pragma omp parallel for schedule(static) \
+        reduction(max : max2) reduction(+ : sum2)
+    for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
+    {
+        const label n = min(label(ulph::maxLanes), cloud.size() - first);
+        ulph::laneRow rows[3];
+        a.load(first, n, rows);
+        for (label l = 0; l < n; ++l)
+        {
+            scalar a2 = 0;
+            for (int k = 0; k < D; ++k)
+            {
+                a2 += sqr(rows[k][l]);
+            }
+            max2 = a2 > max2 ? a2 : max2;
+            sum2 += a2;
+        }
+    }
+    guard_.checkRate(std::isfinite(sum2), "acceleration", a);
+    maxAcceleration_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
+
+    forTiles(cloud.size(), [&](const label first, const label n)
+    {
+        ulph::laneRow rows[3];
+        a.load(first, n, rows);
+        for (int k = 0; k < D; ++k)
+        {
+            double* const v = cloud.v().component(k) + first;
+            for (label l = 0; l < n; ++l)
+            {
+                v[l] += dt*rows[k][l];
+            }
+        }
+    });
+    measureSpeed();
+}
+
+
+void Foam::stepTools::advanceDensity
+(
+    const scalar dt,
+    const scalar dtDiffusion
+)
+{
+    ledger::section timer(rates_.times(), "integration");
+    ulphCloud& cloud = rates_.cloud();
+    const particleField& divergence = *cloud.derived("divergence");
+    const particleField* const diffusion = cloud.derived("densityDiffusion");
+    const bool diffuse = diffusion && dtDiffusion > 0;
+    const scalar rho0 = cloud.rho0();
+    double* const rho1 = cloud.densityExcess().component(0);
+
+    scalar max = 0;
+    scalar sum = 0;
+
+    #pragma omp parallel for schedule(static) \
+        reduction(max : max) reduction(+ : sum)
+    for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
+    {
+        const label n = Foam::min(label(ulph::maxLanes), cloud.size() - first);
+        ulph::laneRow div;
+        ulph::laneRow rate = {};
+        divergence.load(0, first, n, div);
+        if (diffuse)
+        {
+            diffusion->load(0, first, n, rate);
+        }
+        for (label l = 0; l < n; ++l)
+        {
+            scalar& r = rho1[first + l];
+            r += dtDiffusion*rate[l] - dt*(rho0 + r)*div[l];
+            const scalar error = std::abs(r);
+            max = error > max ? error : max;
+            sum += error;
+        }
+    }
+    guard_.checkRate(std::isfinite(sum), "density", cloud.densityExcess());
+    maxExcess_ = returnReduce(max, maxOp<scalar>());
+}
+
+
+void Foam::stepTools::shift(const scalar dt)
+{
+    const shifting& model = *rates_.models().shift;
+    if (model.off())
+    {
+        return;
+    }
+    ledger::section timer(rates_.times(), "shifting");
+    ulphCloud& cloud = rates_.cloud();
+    const scalar VmaxDt = maxSpeed_*dt;
+
+    scalar max2 = 0;
+
+    #pragma omp parallel for schedule(static) reduction(max : max2)
+    for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
+    {
+        const label n = min(label(ulph::maxLanes), cloud.size() - first);
+        ulph::laneRow dx[3];
+        model.displacement(VmaxDt, first, n, dx);
+        for (label l = 0; l < n; ++l)
+        {
+            scalar length2 = 0;
+            for (int k = 0; k < cloud.D(); ++k)
+            {
+                cloud.x().component(k)[first + l] += dx[k][l];
+                length2 += sqr(dx[k][l]);
+            }
+            max2 = length2 > max2 ? length2 : max2;
+        }
+    }
+    rates_.addMotion(returnReduce(std::sqrt(max2), maxOp<scalar>()));
+    contact_.limitPosition();
+}
+
+
+void Foam::stepTools::save()
+{
+    for (const savedField& field : savedFields())
+    {
+        field.saved = field.now;
+    }
+}
+
+
+void Foam::stepTools::advanceSaved(const scalar dt)
+{
+    const auto addTo = [](const particleField& from, const scalar s, particleField& to)
+    {
+        for (int c = 0; c < to.nComponents(); ++c)
+        {
+            double* const y = to.component(c);
+            const double* const x = from.component(c);
+
+            #pragma omp parallel for schedule(static)
+            for (label i = 0; i < to.size(); ++i)
+            {
+                y[i] += s*x[i];
+            }
+        }
+    };
+
+    for (const savedField& field : savedFields())
+    {
+        addTo(field.now, -1, field.saved);
+    }
+    drift(dt);
+    advanceDensity(dt, dt);
+    kick(dt);
+    for (const savedField& field : savedFields())
+    {
+        addTo(field.saved, 1, field.now);
+    }
+    measureSpeed();
+}
+
+
+// ************************************************************************* //

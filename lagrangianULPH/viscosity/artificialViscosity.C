@@ -1,0 +1,38 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "artificialViscosity.H"
+#include "addToRunTimeSelectionTable.H"
+#include "MinMax.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace viscosities
+{
+    defineTypeNameAndDebug(artificialViscosity, 0);
+    addToRunTimeSelectionTable(viscosity, artificialViscosity, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::viscosities::artificialViscosity::artificialViscosity
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    mu_
+    (
+        dict.getCheck<scalar>("alpha", scalarMinMax::ge(0))
+       *cloud.h()*cloud.c0()*cloud.rho0()
+    ),
+    symmetric_(dict.getOrDefault("symmetric", true))
+{}
+
+
+// ************************************************************************* //
