@@ -43,7 +43,7 @@ static const char* const defaultMode =
     "freeSurface        momentMatrix;"
     "densityDiffusion   { type ULPH; delta 0.1; }"
     "shifting           { type Fickian; C 2; }"
-    "wall               noSlip;"
+    "wall               slip;"
     "timeIntegration    driftKickDrift;";
 
 static const char* const paperMode =
@@ -53,7 +53,7 @@ static const char* const paperMode =
     "densityDiffusion   { type ULPH; delta 0.1; }"
     "shifting           { type XuStansbyLaurence; C 0.04; }"
     "viscosity          { type artificial; alpha 0.1; symmetric no; }"
-    "wall               noSlip;"
+    "wall               slip;"
     "timeIntegration    predictorCorrector;";
 
 static const char* const stillWalls =
