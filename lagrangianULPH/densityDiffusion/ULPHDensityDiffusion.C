@@ -42,7 +42,7 @@ Foam::effectNeeds Foam::densityDiffusions::ULPHDensityDiffusion::needs() const
 }
 
 
-void Foam::densityDiffusions::ULPHDensityDiffusion::geometryRate
+void Foam::densityDiffusions::ULPHDensityDiffusion::addGradientRate
 (
     const ulph::geometryBlock& sums,
     const ulph::laneRow* K,
@@ -50,8 +50,6 @@ void Foam::densityDiffusions::ULPHDensityDiffusion::geometryRate
     ulph::laneRow& rate
 ) const
 {
-    laplacianDensityDiffusion::geometryRate(sums, K, gradient, rate);
-
     for (int i = 0; i < D_; ++i)
     {
         for (int j = 0; j < D_; ++j)

@@ -47,18 +47,13 @@ Foam::effectNeeds Foam::densityDiffusions::laplacianDensityDiffusion::needs() co
 }
 
 
-void Foam::densityDiffusions::laplacianDensityDiffusion::geometryRate
+void Foam::densityDiffusions::laplacianDensityDiffusion::addLaplacianRate
 (
     const ulph::geometryBlock& sums,
     const ulph::laneRow* K,
-    const ulph::laneRow*,
     ulph::laneRow& rate
 ) const
 {
-    for (int l = 0; l < sums.count; ++l)
-    {
-        rate[l] = 0;
-    }
     for (int i = 0; i < D_; ++i)
     {
         for (int j = 0; j < D_; ++j)

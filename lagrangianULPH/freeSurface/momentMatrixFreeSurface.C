@@ -9,6 +9,8 @@
 #include "neighbourSearch.H"
 #include "MinMax.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -48,35 +50,10 @@ Foam::scalar Foam::freeSurfaces::momentMatrixFreeSurface::threshold
 }
 
 
-void Foam::freeSurfaces::momentMatrixFreeSurface::markNear(const neighbourSearch& search)
+bool Foam::freeSurfaces::momentMatrixFreeSurface::doubtful(const label i) const
 {
-    const ulph::clusterList& list = search.fluidList();
-
-    low_.resize(lambda_->size());
-    forTiles(lambda_->size(), [&](const label first, const label count)
-    {
-        ulph::laneRow lambda;
-        lambda_->load(0, first, count, lambda);
-        for (label l = 0; l < count; ++l)
-        {
-            low_[first + l] = lambda[l] < interior_;
-        }
-    });
-
-    near_.resize(list.size());
-
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < list.size(); ++i)
-    {
-        const ulph::clusterList::cluster& c = list[i];
-        const std::uint32_t* const neighbours = list.neighbours(c);
-        unsigned char found = 0;
-        for (std::size_t j = c.begin; j < c.fluidEnd && !found; ++j)
-        {
-            found = low_[neighbours[j]];
-        }
-        near_[i] = found;
-    }
+    const scalar lambda = (*lambda_)(i);
+    return lambda >= surface_ && lambda <= interior_;
 }
 
 
@@ -129,7 +106,6 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::normals(neighbourSearch& searc
         }
     };
 
-    normal_->reset(lambda_->size());
     forTiles(lambda_->size(), [&](const label first, const label count)
     {
         ulph::laneRow lambda;
@@ -138,7 +114,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::normals(neighbourSearch& searc
     });
 
     ulph::passRange range;
-    range.mask = near_.data();
+    range.mask = mask_.data();
     range.fluidOnly = true;
     sink normals(D_, search.cloud().shared().beta, *normal_);
     search.sums().geometry
@@ -196,24 +172,38 @@ bool Foam::freeSurfaces::momentMatrixFreeSurface::umbrellaEmpty
 
 void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
 (
-    const neighbourSearch& search
+    neighbourSearch& search
 )
 {
     const ulph::clusterList& list = search.fluidList();
 
-    onSurface_.assign(lambda_->size(), 0);
+    mask_.resize(list.size());
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < list.size(); ++i)
+    {
+        const ulph::clusterList::cluster& c = list[i];
+        mask_[i] = 0;
+        for (int p = c.first; p < c.first + c.count; ++p)
+        {
+            mask_[i] |= doubtful(p);
+        }
+    }
+    normal_->reset(lambda_->size());
+    normals(search);
+    known_ = mask_;
+
+    onSurface_.resize(lambda_->size());
 
     #pragma omp parallel for schedule(dynamic, 16)
     for (int i = 0; i < list.size(); ++i)
     {
         const ulph::clusterList::cluster& c = list[i];
-        for (int l = 0; near_[i] && l < c.count; ++l)
+        for (int p = c.first; p < c.first + c.count; ++p)
         {
-            const label p = c.first + l;
-            const scalar lambda = (*lambda_)(p);
             onSurface_[p] =
-                lambda < surface_
-             || (lambda <= interior_ && umbrellaEmpty(search, c, p));
+                (*lambda_)(p) < surface_
+             || (doubtful(p) && umbrellaEmpty(search, c, p));
         }
     }
 }
@@ -227,43 +217,50 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     const ulph::clusterList& list = search.fluidList();
     const particleField& x = search.cloud().x();
 
+    const auto close = [&](const label i, const label j)
+    {
+        scalar r2 = 0;
+        for (int k = 0; k < D_; ++k)
+        {
+            r2 += sqr(x.component(k)[j] - x.component(k)[i]);
+        }
+        return j != i && r2 < sqr(2*h_);
+    };
+
     class_->reset(lambda_->size());
 
     #pragma omp parallel for schedule(dynamic, 16)
     for (int i = 0; i < list.size(); ++i)
     {
-        if (!near_[i])
-        {
-            continue;
-        }
         const ulph::clusterList::cluster& c = list[i];
-        const std::uint32_t* const neighbours = list.neighbours(c);
+        const std::uint32_t* const first = list.neighbours(c) + c.begin;
+        const std::uint32_t* const last = list.neighbours(c) + c.fluidEnd;
 
-        for (int l = 0; l < c.count; ++l)
+        thread_local std::vector<label> surfaces;
+        surfaces.clear();
+        for (const std::uint32_t* j = first; j != last; ++j)
         {
-            const label p = c.first + l;
-            const bool on = onSurface_[p];
-            bool found = false;
-            for (std::size_t j = c.begin; j < c.fluidEnd && !found; ++j)
+            if (onSurface_[*j])
             {
-                // On the surface: any fluid; else: a surface particle
-                const label J = label(neighbours[j]);
-                if (J == p || !(on || onSurface_[J]))
-                {
-                    continue;
-                }
-                scalar r2 = 0;
-                for (int k = 0; k < D_; ++k)
-                {
-                    r2 += sqr(x.component(k)[J] - x.component(k)[p]);
-                }
-                found = r2 < sqr(2*h_);
+                surfaces.push_back(label(*j));
             }
+        }
+
+        mask_[i] = !surfaces.empty() && !known_[i];
+        for (int p = c.first; !surfaces.empty() && p < c.first + c.count; ++p)
+        {
+            const auto closeToP = [&](const label j) { return close(p, j); };
+            const bool fluid = std::any_of(first, last, closeToP);
+            const bool on = onSurface_[p];
+            const bool near =
+                !on
+             && std::any_of(surfaces.begin(), surfaces.end(), closeToP);
+
             class_->set
             (
                 p,
                 0,
-                on ? (found ? surface : splash) : (found ? vicinity : interior)
+                on ? (fluid ? surface : splash) : near ? vicinity : interior
             );
         }
     }
@@ -323,10 +320,9 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::eigenvalue
 
 void Foam::freeSurfaces::momentMatrixFreeSurface::detect(neighbourSearch& search)
 {
-    markNear(search);
-    normals(search);
     markSurface(search);
     markVicinity(search);
+    normals(search);
 }
 
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "clusterList.H"
+#include "simd.H"
 
 #include <algorithm>
 #include <limits>
@@ -32,11 +33,102 @@ box boundingBox(const particleView& p, const int first, const int count)
     return b;
 }
 
-// Append the sources closer to the box than reach, cell by cell
+// Members of a cluster in lanes, relative to the centre of their box so that
+// float will do
+class memberLanes
+{
+    using lane = lanes<float>::real;
+
+    static constexpr int width = int(lane::size());
+    static constexpr int rows = (maxLanes + width - 1)/width;
+
+    const int D_;
+    std::array<double, 3> centre_{};
+    lane x_[3][rows];
+
+public:
+
+    memberLanes
+    (
+        const particleView& p,
+        const box& b,
+        const int first,
+        const int count
+    )
+    :
+        D_(p.D)
+    {
+        for (int k = 0; k < D_; ++k)
+        {
+            centre_[k] = 0.5*(b.lower[k] + b.upper[k]);
+            for (int r = 0; r < rows; ++r)
+            {
+                for (int l = 0; l < width; ++l)
+                {
+                    const int m = std::min(r*width + l, count - 1);
+                    x_[k][r][l] = float(p.x[k][first + m] - centre_[k]);
+                }
+            }
+        }
+    }
+
+    //- Is a source closer to any member than the root of reach2?
+    template<int D>
+    bool reached(const particleView& p, const int j, const float reach2) const
+    {
+        bool any = false;
+        float x[D];
+        for (int k = 0; k < D; ++k)
+        {
+            x[k] = float(p.x[k][j] - centre_[k]);
+        }
+        for (int r = 0; r < rows; ++r)
+        {
+            lane d2 = 0;
+            for (int k = 0; k < D; ++k)
+            {
+                const lane d = x_[k][r] - x[k];
+                d2 += d*d;
+            }
+            any = any || any_of(d2 < reach2);
+        }
+        return any;
+    }
+};
+
+// Squared distance of the cells along direction k from the box
+void cellDistances
+(
+    const cellLayout& cells,
+    const box& b,
+    const int k,
+    const int lower,
+    const int upper,
+    std::vector<double>& d2
+)
+{
+    d2.clear();
+    for (int c = lower; c <= upper; ++c)
+    {
+        const double left = cells.lower()[k] + c*cells.size();
+        const double right = left + cells.size();
+        // What lies beyond the grid is kept in its outermost cells
+        const double d = std::max
+        (
+            c == cells.extent(k) - 1 ? 0 : b.lower[k] - right,
+            c == 0 ? 0 : left - b.upper[k]
+        );
+        d2.push_back(d > 0 ? d*d : 0);
+    }
+}
+
+// Append the sources closer to a member than reach, cell by cell
+template<int D>
 void listSources
 (
     const clusterList::sourceGroup& group,
     const box& b,
+    const memberLanes& members,
     const double reach,
     std::vector<std::uint32_t>& listed
 )
@@ -47,58 +139,46 @@ void listSources
     }
 
     const cellLayout& cells = group.grid->layout();
-    const particleView& p = group.particles;
-    const int D = p.D;
     const double reach2 = reach*reach;
+    // Rounding of float must not lose a pair
+    const float safeReach2 = float(reach2*(1 + 1e-5));
 
+    thread_local std::vector<double> d2[3];
     std::array<int, 3> lower{0, 0, 0};
-    std::array<int, 3> upper{0, 0, 0};
     for (int k = 0; k < D; ++k)
     {
         lower[k] = cells.coordinate(k, b.lower[k] - reach);
-        upper[k] = cells.coordinate(k, b.upper[k] + reach);
+        cellDistances
+        (
+            cells, b, k, lower[k], cells.coordinate(k, b.upper[k] + reach), d2[k]
+        );
+    }
+    if (D == 2)
+    {
+        d2[2].assign(1, 0);
     }
 
-    const auto scan = [&](const auto dims, const int first, const int last)
+    for (std::size_t k = 0; k < d2[2].size(); ++k)
     {
-        std::size_t end = listed.size();
-        listed.resize(end + last - first);
-        for (int j = first; j < last; ++j)
+        for (std::size_t j = 0; j < d2[1].size(); ++j)
         {
-            double d2 = 0;
-            for (int k = 0; k < decltype(dims)::value; ++k)
+            for (std::size_t i = 0; i < d2[0].size(); ++i)
             {
-                const double x = p.x[k][j];
-                const double d =
-                    std::max(0.0, std::max(b.lower[k] - x, x - b.upper[k]));
-                d2 += d*d;
-            }
-            listed[end] = std::uint32_t(group.offset + j);
-            end += d2 < reach2;
-        }
-        listed.resize(end);
-    };
-
-    for (int k = lower[2]; k <= upper[2]; ++k)
-    {
-        for (int j = lower[1]; j <= upper[1]; ++j)
-        {
-            for (int i = lower[0]; i <= upper[0]; ++i)
-            {
-                const int r = cells.rank(i, j, k);
-                const int first = group.grid->first(r);
-                const int last = group.grid->first(r + 1);
-                if (first == last)
+                if (d2[0][i] + d2[1][j] + d2[2][k] >= reach2)
                 {
                     continue;
                 }
-                if (D == 2)
+                const int r = cells.rank
+                (
+                    lower[0] + int(i), lower[1] + int(j), lower[2] + int(k)
+                );
+                const int last = group.grid->first(r + 1);
+                for (int s = group.grid->first(r); s < last; ++s)
                 {
-                    scan(std::integral_constant<int, 2>(), first, last);
-                }
-                else
-                {
-                    scan(std::integral_constant<int, 3>(), first, last);
+                    if (members.reached<D>(group.particles, s, safeReach2))
+                    {
+                        listed.push_back(std::uint32_t(group.offset + s));
+                    }
                 }
             }
         }
@@ -170,14 +250,19 @@ void clusterList::build
         {
             cluster& now = clusters_[c];
             now.part = t;
-            const box b = boundingBox
-            (
-                targets.particles, now.first - targets.offset, now.count
-            );
+            const int first = now.first - targets.offset;
+            const box b = boundingBox(targets.particles, first, now.count);
+            const memberLanes members(targets.particles, b, first, now.count);
+            const auto append = [&](const sourceGroup& group)
+            {
+                targets.particles.D == 2
+              ? listSources<2>(group, b, members, reach, part)
+              : listSources<3>(group, b, members, reach, part);
+            };
             now.begin = part.size();
-            listSources(fluid, b, reach, part);
+            append(fluid);
             now.fluidEnd = part.size();
-            listSources(wall, b, reach, part);
+            append(wall);
             now.end = part.size();
         }
     }

@@ -92,7 +92,7 @@ void Foam::rightHandSide::updateNeighbours()
 }
 
 
-void Foam::rightHandSide::geometry(const scalar t, const bool withSurface)
+void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
 {
     wall_.setBodyForce(t);
     {
@@ -101,7 +101,12 @@ void Foam::rightHandSide::geometry(const scalar t, const bool withSurface)
     }
     updateWalls(true);
 
-    const bool surfaceFirst = models_.moment->needsSurface() && withSurface;
+    const bool surfaceFirst = models_.moment->needsSurface();
+    const unsigned sums =
+        when == laplacian::now
+      ? schedule_.geometrySums()
+      : schedule_.geometrySums() & ~unsigned(ulph::laplacianSums);
+
     if (surfaceFirst)
     {
         {
@@ -118,13 +123,13 @@ void Foam::rightHandSide::geometry(const scalar t, const bool withSurface)
     }
     {
         ledger::section timer(ledger_, "geometryPass");
-        geometrySink sink(cloud_, models_, models_.moment->needsSurface());
-        search_.sums().geometry
+        geometrySink sink
         (
-            search_.fluidList(), {}, schedule_.geometrySums(), sink
+            cloud_, models_, surfaceFirst, sums & ulph::laplacianSums
         );
+        search_.sums().geometry(search_.fluidList(), {}, sums, sink);
     }
-    if (withSurface && !surfaceFirst && !models_.surface->off())
+    if (!surfaceFirst && !models_.surface->off())
     {
         findSurface();
     }
@@ -201,10 +206,14 @@ void Foam::rightHandSide::divergence()
     updateWalls(false);
 
     ledger::section timer(ledger_, "divergencePass");
-    divergenceSink sink(cloud_);
+    divergenceSink sink(cloud_, models_);
     search_.sums().geometry
     (
-        search_.fluidList(), {}, ulph::velocityGradientSums, sink
+        search_.fluidList(),
+        {},
+        ulph::velocityGradientSums
+      | (schedule_.geometrySums() & ulph::laplacianSums),
+        sink
     );
 }
 

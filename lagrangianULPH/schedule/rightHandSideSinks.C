@@ -45,12 +45,14 @@ Foam::geometrySink::geometrySink
 (
     ulphCloud& cloud,
     ulphModels& models,
-    const bool surfaceKnown
+    const bool surfaceKnown,
+    const bool laplacian
 )
 :
     D_(cloud.D()),
     models_(models),
     surfaceKnown_(surfaceKnown),
+    laplacian_(laplacian),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     divergence_(*cloud.derived("divergence")),
@@ -84,14 +86,18 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
 
     if (diffusion_)
     {
-        ulph::laneRow gradient[3];
+        ulph::laneRow rate = {};
         if (gradient_)
         {
+            ulph::laneRow gradient[3];
             momentTensor::multiply(D_, sums.count, K, sums.G, gradient);
             gradient_->store(sums.first, sums.count, gradient);
+            models_.diffusion->addGradientRate(sums, K, gradient, rate);
         }
-        ulph::laneRow rate;
-        models_.diffusion->geometryRate(sums, K, gradient, rate);
+        if (laplacian_)
+        {
+            models_.diffusion->addLaplacianRate(sums, K, rate);
+        }
         diffusion_->store(0, sums.first, sums.count, rate);
     }
 
@@ -106,11 +112,17 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
 
 // * * * * * * * * * * * * * *  divergenceSink  * * * * * * * * * * * * * * * //
 
-Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
+Foam::divergenceSink::divergenceSink
+(
+    ulphCloud& cloud,
+    const ulphModels& models
+)
 :
     D_(cloud.D()),
+    models_(models),
     K_(*cloud.derived("inverseMoment")),
-    divergence_(*cloud.derived("divergence"))
+    divergence_(*cloud.derived("divergence")),
+    diffusion_(cloud.derived("densityDiffusion"))
 {}
 
 
@@ -119,6 +131,14 @@ void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
     ulph::laneRow K[6];
     K_.load(sums.first, sums.count, K);
     storeDivergence(D_, sums, K, divergence_);
+
+    if (diffusion_)
+    {
+        ulph::laneRow rate;
+        diffusion_->load(0, sums.first, sums.count, rate);
+        models_.diffusion->addLaplacianRate(sums, K, rate);
+        diffusion_->store(0, sums.first, sums.count, rate);
+    }
 }
 
 

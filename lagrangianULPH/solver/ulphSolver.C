@@ -68,6 +68,16 @@ void Foam::ulphSolver::makeParticles()
 }
 
 
+void Foam::ulphSolver::limitThreads() const
+{
+    // With fewer, starting the threads takes longer than their work
+    constexpr label particlesPerThread = 2000;
+
+    const int useful = max(1, int(cloud_.size()/particlesPerThread));
+    omp_set_num_threads(min(omp_get_max_threads(), useful));
+}
+
+
 Foam::scalar Foam::ulphSolver::maxCo() const
 {
     return time_.controlDict().getCheckOrDefault<scalar>
@@ -159,6 +169,8 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     );
     makeParticles();
 
+    limitThreads();
+
     tools_.reset(new stepTools(rates_, contact_, guard_));
     tools_->setMaxAcceleration
     (
@@ -198,7 +210,7 @@ void Foam::ulphSolver::setDeltaT()
 void Foam::ulphSolver::evaluate()
 {
     rates_.updateNeighbours();
-    rates_.geometry(time_.value(), true);
+    rates_.geometry(time_.value(), rightHandSide::laplacian::now);
     rates_.force(time_.value(), false);
 }
 

@@ -42,7 +42,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
 
     tools.drift(0.5*dt);
     rates.updateNeighbours();
-    rates.geometry(middle, true);
+    rates.geometry(middle, rightHandSide::laplacian::later);
     tools.advanceDensity(0.5*dt, 0);
     rates.force(middle, true);
     tools.kick(dt);

@@ -40,7 +40,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     rightHandSide& rates = tools.rates();
 
     rates.updateNeighbours();
-    rates.geometry(t, true);
+    rates.geometry(t, rightHandSide::laplacian::now);
     rates.force(t, false);
 
     tools.save();
@@ -49,7 +49,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.advanceDensity(0.5*dt, 0.5*dt);
 
     rates.updateNeighbours();
-    rates.geometry(t + 0.5*dt, true);
+    rates.geometry(t + 0.5*dt, rightHandSide::laplacian::now);
     rates.force(t + 0.5*dt, false);
 
     tools.advanceSaved(dt);
