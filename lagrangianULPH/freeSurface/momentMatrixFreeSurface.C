@@ -267,6 +267,23 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
 }
 
 
+void Foam::freeSurfaces::momentMatrixFreeSurface::releaseSplash
+(
+    ulphCloud& cloud
+)
+{
+    double* const rho1 = cloud.densityExcess().component(0);
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        if ((*class_)(i) == splash && rho1[i] != 0)
+        {
+            rho1[i] = 0;
+            ++nReleased_;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::freeSurfaces::momentMatrixFreeSurface::momentMatrixFreeSurface
@@ -323,6 +340,14 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::detect(neighbourSearch& search
     markSurface(search);
     markVicinity(search);
     normals(search);
+    releaseSplash(search.cloud());
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::report(Ostream& os) const
+{
+    os  << "    freeSurface: pressure of a splash particle set to zero "
+        << nReleased_ << " times" << nl;
 }
 
 

@@ -32,7 +32,7 @@ Foam::momentMatrices::eigenvalueFlooredMomentMatrix::eigenvalueFlooredMomentMatr
     (
         beta_*dict.getCheckOrDefault<scalar>
         (
-            "floor", 0.36, scalarMinMax(SMALL, 1)
+            "floor", 0.5, scalarMinMax(SMALL, 1)
         )
     )
 {}

@@ -39,7 +39,7 @@ static bool hasGravity(const polyMesh& mesh)
 
 static const char* const defaultMode =
     "equationOfState    linear;"
-    "momentMatrix       { type eigenvalueFloored; floor 0.36; }"
+    "momentMatrix       { type eigenvalueFloored; floor 0.5; }"
     "freeSurface        momentMatrix;"
     "densityDiffusion   { type ULPH; delta 0.1; }"
     "shifting           { type Fickian; C 2; }"

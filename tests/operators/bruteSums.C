@@ -177,12 +177,17 @@ Foam::sumRows Foam::bruteSums::interpolation() const
     const particleSample& s = sample_;
     const int D = s.D;
 
+    // The library leaves the kernel's norm out of what becomes an average
+    const double norm =
+        literatureKernel(kernel_, D, h_, 0)/(kernel_ == "WendlandC4" ? 3 : 1);
+
     sumRows rows(s.size() - s.nFluid, std::vector<double>(11, 0));
     for (int i = s.nFluid; i < s.size(); ++i)
     {
         std::vector<double>& row = rows[i - s.nFluid];
-        forPairs(i, 0, s.nFluid, [&](int j, const vec& x, double, double w)
+        forPairs(i, 0, s.nFluid, [&](int j, const vec& x, double, double wJ)
         {
+            const double w = wJ/norm;
             row[0] += w;
             addTo(row, 1, D, vec(w*x));
             row[4] += w*s.s[j];

@@ -82,7 +82,7 @@ static listFaults examine
             (
                 (lower - s.x[J]).cwiseMax(s.x[J] - upper).cwiseMax(vec::Zero())
             );
-            faults.idle += outside.norm() > reach;
+            faults.idle += outside.norm() > (1 + 1e-5)*reach;
         }
         for (int l = 0; l < now.count; ++l)
         {

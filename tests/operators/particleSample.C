@@ -130,14 +130,19 @@ Foam::particleSample Foam::particleSample::spray(const int D)
     sample.dx = 0.01;
 
     randomVectors random(D, 4);
-    for (int i = 0; i < 300; ++i)
+    vec edge(vec::Zero());
+    edge.head(D).setConstant(2*sample.dx);
+    for (int i = 0; i < 200; ++i)
     {
-        // Every third is the start of a drop
         const vec x(random.vector(D == 2 ? 1 : 0.3));
-        sample.add(x, random);
-        for (int j = 0; i % 3 == 0 && j < 5; ++j)
+        if (i % 3)
         {
-            sample.add(x + random.vector(2*sample.dx), random);
+            sample.add(x, random);
+            continue;
+        }
+        for (const vec& drop : jitteredLattice(D, sample.dx, x, x + edge, 0.3))
+        {
+            sample.add(drop, random);
         }
     }
     sample.nFluid = sample.size();

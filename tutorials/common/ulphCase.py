@@ -199,11 +199,12 @@ def drawBox(axes, bounds, top=None):
 
 
 def savePicture(figure, file):
-    """Write a small PNG (64 colours) that is the same from run to run."""
+    """Write a PNG of 256 colours, the same from run to run."""
     from PIL import Image
 
     os.makedirs(os.path.dirname(file), exist_ok=True)
     pixels = io.BytesIO()
     figure.savefig(pixels, format="png")
-    image = Image.open(pixels).convert("RGB").quantize(64, dither=0)
+    # Maximum coverage keeps colours of few pixels
+    image = Image.open(pixels).convert("RGB").quantize(256, method=1, dither=0)
     image.save(file, optimize=True)

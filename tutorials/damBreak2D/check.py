@@ -31,17 +31,67 @@ def fronts(case):
     return np.array(case.times) * PER_SECOND, (np.array(x) - LENGTH) / HEIGHT
 
 
+def bareArcs(x, bounds, radius, points=90):
+    """Which particles see the air: an independent test of the surface flags.
+
+    A particle does if discs of the given radius about the others, and about their
+    images in the walls, leave a part of the rim of its own disc uncovered (the
+    exposure test of Dilts 2000). Returns the uncovered share of the rim (n,), and
+    the direction of its middle (n, 2), which is an outward normal.
+    """
+    all = x
+    for k in (0, 1):
+        for wall in bounds[k]:
+            image = all[np.abs(all[:, k] - wall) < 3 * radius].copy()
+            image[:, k] = 2 * wall - image[:, k]
+            all = np.concatenate([all, image])
+
+    angle = np.linspace(0, 2 * np.pi, points, endpoint=False)
+    rim = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    share, normal = np.zeros(len(x)), np.zeros((len(x), 2))
+    for i, centre in enumerate(x):
+        apart = all - centre
+        distance2 = (apart**2).sum(axis=1)
+        apart = apart[(distance2 > 0) & (distance2 < 4 * radius**2)]
+        bare = (rim @ apart.T * 2 * radius < (apart**2).sum(axis=1)).all(axis=1)
+        there = centre + radius * rim
+        bare &= np.all((there > bounds[:, 0]) & (there < bounds[:, 1]), axis=1)
+        share[i] = bare.mean()
+        normal[i] = rim[bare].sum(axis=0)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    return share, normal / np.maximum(length, 1e-30)
+
+
+def checkSurface(case, T, check):
+    """Flags and normals [degrees] at T against the exposure test."""
+    dx = case.entry("dx")
+    fields = case.cloud(case.nearest(T / PER_SECOND))
+    x, flagged = fields["x"][:, :2], fields["surface"] >= 2
+    share, normal = bareArcs(x, case.bounds[:2], 1.5 * dx)
+    bare = share > 0.04
+    apart = np.linalg.norm(x[flagged][:, None] - x[bare], axis=2).min(axis=1)
+    cosine = (fields["normal"][bare, :2] * normal[bare]).sum(axis=1)
+    angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+
+    print(f"T = {T}: {bare.sum()} particles see the air, {flagged.sum()} are flagged")
+    at = f"T{T}."
+    check(at + "airNotFlagged", (bare & ~flagged).sum(), 0, 1)
+    check(at + "flaggedInside", (apart > 1.5 * dx).sum(), 0, 2)
+    check(at + "normalErrorMedian", np.median(angle), 0, 8)
+    check(at + "normalErrorOf95%", np.percentile(angle, 95), 0, 20)
+
+
 def checkRun(case, mode, test):
     check = Checks(mode + ".")
-    T, front = fronts(case)
+    reached, front = fronts(case)
     if mode == "lowViscosity":
         end, low, high = 2.8, 2.3, 2.7
     else:
         end, low, high = 2.2 if test else 8, 2.1, 2.35
 
     check("finished", case.finished(), 1, 1)
-    check("lastT", T[-1], end)
-    check("frontAtT2", np.interp(2, T, front), low, high)
+    check("lastT", reached[-1], end)
+    check("frontAtT2", np.interp(2, reached, front), low, high)
 
     first = len(case.cloud(0)["x"])
     lost = outside = bad = 0
@@ -52,11 +102,13 @@ def checkRun(case, mode, test):
         outside += np.any((x < bounds[:, 0]) | (x > bounds[:, 1]), axis=1).sum()
         lost = max(lost, abs(len(x) - first))
         bad += sum(np.size(f) - np.isfinite(f).sum() for f in fields.values())
-    check("times", len(case.times), 2)
     check("particles", first, round(LENGTH * HEIGHT / case.entry("dx") ** 2), first)
     check("particlesLostOrMade", lost, 0, 0)
     check("outsideTheTank", outside, 0, 0)
     check("valuesNotFinite", bad, 0, 0)
+    for T in (2.06, 5.72):
+        if mode != "lowViscosity" and reached[-1] >= T:
+            checkSurface(case, T, check)
     print(f"{mode} took {case.executionTime():.1f} s of CPU time")
     return check.failed
 

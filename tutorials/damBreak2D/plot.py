@@ -36,13 +36,13 @@ def surfacePicture(case, mode, file):
     dx = case.entry("dx")
     shown = [(T, f) for T in (2.06, 5.72) if (f := atTime(case, T)) is not None]
     figure, rows = plt.subplots(
-        len(shown), 2, figsize=(12, 3.05 * len(shown)), squeeze=False
+        len(shown), 2, figsize=(15, 1.75 * len(shown)), squeeze=False
     )
     for (T, fields), (left, right) in zip(shown, rows):
         x, kind, n = fields["x"], fields["surface"].astype(int), fields["normal"]
         near = kind > 0
         for axes in (left, right):
-            drawBox(axes, case.bounds, top=0.42)
+            drawBox(axes, case.bounds, top=0.3)
         drawParticles(left, x, dx, facecolors=np.array(CLASSES)[kind])
         left.set_title(f"{TITLES[mode]}, T = {T}: surface classes")
 
@@ -54,11 +54,11 @@ def surfacePicture(case, mode, file):
             angles="xy",
             scale_units="xy",
             scale=1 / (1.8 * dx),
-            width=0.0011,
+            width=0.0009,
             headwidth=4,
         )
         right.set_title(f"{TITLES[mode]}, T = {T}: outward normals")
-    names = ["interior", "vicinity of the surface", "surface", "splash"]
+    names = ["inside", "vicinity of the surface", "surface", "splash"]
     dots = [
         plt.Line2D([], [], ls="", marker="o", color=c, label=name)
         for c, name in zip(CLASSES, names)
@@ -99,10 +99,10 @@ def frontPicture(cases, file):
             label=rf"{label}, $\alpha$ = {alpha:g}",
         )
     axes.axhline((1.6 - LENGTH) / HEIGHT, color="0.7", lw=0.8)
-    axes.text(0.05, 3.36, "opposite wall", color="0.5", fontsize=8)
+    axes.text(0.05, 3.37, "opposite wall", color="0.5", fontsize=8)
     axes.set(
         xlim=(0, 2.8),
-        ylim=(0, 3.55),
+        ylim=(0, 3.6),
         xlabel=r"$T = t\,\sqrt{g/H}$",
         ylabel="front position (x - 0.6 m)/H",
     )
@@ -115,18 +115,17 @@ def pressurePicture(case, mode, file):
     unit = case.entry("rho0") * GRAVITY * HEIGHT
     wanted = (0.8, 2.06, 2.8, 4, 5.72, 8)
     shown = [(T, f) for T in wanted if (f := atTime(case, T)) is not None]
-    figure, grid = plt.subplots(
-        (len(shown) + 1) // 2, 2, figsize=(11, 2.9 * ((len(shown) + 1) // 2))
-    )
+    rows = (len(shown) + 1) // 2
+    figure, grid = plt.subplots(rows, 2, figsize=(11, 1.9 * rows))
     for axes in grid.flat:
         axes.set_axis_off()
     for (T, fields), axes in zip(shown, grid.flat):
-        drawBox(axes, case.bounds, top=0.5)
+        drawBox(axes, case.bounds, top=0.45)
         discs = drawParticles(axes, fields["x"], dx, array=fields["p"] / unit)
         discs.set_clim(0, 1)
         axes.set_title(f"{TITLES[mode]}, T = {T}")
     figure.colorbar(
-        discs, ax=grid, shrink=0.5, extend="both", label=r"p/($\rho_0$ g H)"
+        discs, ax=grid, shrink=0.7, extend="both", label=r"p/($\rho_0$ g H)"
     )
     savePicture(figure, file)
 
