@@ -271,13 +271,26 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     }
 
     state_.pressure(sums.count, rho1, p);
+    label nSeparated = 0;
     for (int l = 0; l < sums.count; ++l)
     {
+        scalar balance = 0;
         for (int k = 0; k < D && sums.w[l] > VSMALL; ++k)
         {
-            p[l] -=
+            balance -=
                 f[k][l]*(cloud_.rho0()*sums.x[k][l] + sums.sx[k][l])/sums.w[l];
         }
+        if (p[l] <= 0 && balance < 0)
+        {
+            balance = 0;
+            ++nSeparated;
+        }
+        p[l] += balance;
+    }
+    if (nSeparated)
+    {
+        #pragma omp atomic
+        nSeparated_ += nSeparated;
     }
     state_.densityExcess(sums.count, p, rho1);
 
@@ -297,6 +310,13 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     densityExcess_.store(0, first, sums.count, rho1);
     v_.store(first, sums.count, v);
     viscousV_.store(first, sums.count, viscousV);
+}
+
+
+void Foam::wallLayer::report(Ostream& os) const
+{
+    os  << "    walls: did not hold fluid without pressure " << nSeparated_
+        << " times" << nl;
 }
 
 

@@ -267,23 +267,6 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
 }
 
 
-void Foam::freeSurfaces::momentMatrixFreeSurface::releaseSplash
-(
-    ulphCloud& cloud
-)
-{
-    double* const rho1 = cloud.densityExcess().component(0);
-    for (label i = 0; i < cloud.size(); ++i)
-    {
-        if ((*class_)(i) == splash && rho1[i] != 0)
-        {
-            rho1[i] = 0;
-            ++nReleased_;
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::freeSurfaces::momentMatrixFreeSurface::momentMatrixFreeSurface
@@ -340,7 +323,33 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::detect(neighbourSearch& search
     markSurface(search);
     markVicinity(search);
     normals(search);
-    releaseSplash(search.cloud());
+}
+
+
+void Foam::freeSurfaces::momentMatrixFreeSurface::release
+(
+    const label first,
+    const label count,
+    double* densityExcess
+) const
+{
+    ulph::laneRow surface;
+    class_->load(0, first, count, surface);
+
+    label nReleased = 0;
+    for (label l = 0; l < count; ++l)
+    {
+        if (surface[l] == splash && densityExcess[l] != 0)
+        {
+            densityExcess[l] = 0;
+            ++nReleased;
+        }
+    }
+    if (nReleased)
+    {
+        #pragma omp atomic
+        nReleased_ += nReleased;
+    }
 }
 
 

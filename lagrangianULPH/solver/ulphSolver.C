@@ -317,6 +317,7 @@ void Foam::ulphSolver::report() const
     {
         e.report(Info);
     }
+    wall_.report(Info);
     contact_.report(Info);
     Info<< endl;
 }

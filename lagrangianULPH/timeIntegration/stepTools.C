@@ -139,6 +139,7 @@ void Foam::stepTools::advanceDensity
     const particleField& divergence = *cloud.derived("divergence");
     const particleField* const diffusion = cloud.derived("densityDiffusion");
     const bool diffuse = diffusion && dtDiffusion > 0;
+    const freeSurface& surface = *rates_.models().surface;
     const scalar rho0 = cloud.rho0();
     double* const rho1 = cloud.densityExcess().component(0);
 
@@ -161,7 +162,11 @@ void Foam::stepTools::advanceDensity
         {
             scalar& r = rho1[first + l];
             r += dtDiffusion*rate[l] - dt*(rho0 + r)*div[l];
-            const scalar error = std::abs(r);
+        }
+        surface.release(first, n, rho1 + first);
+        for (label l = 0; l < n; ++l)
+        {
+            const scalar error = std::abs(rho1[first + l]);
             max = error > max ? error : max;
             sum += error;
         }

@@ -1,0 +1,81 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "literalNeighbours.H"
+
+#include "wallParticles.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::literal::setWalls()
+{
+    if (!rig_.search().hasWalls())
+    {
+        return;
+    }
+
+    // All of them: the library is to find those in reach by itself
+    wallParticles all(rig_.search(), dx_);
+    all.update([](const boundBox&) { return true; });
+    const wallParticleSet& set = all.active();
+
+    for (label i = 0; i < set.size(); ++i)
+    {
+        particle W;
+        W.x = rig_.solved(set.position[i]);
+        W.V = set.volume[i];
+        W.p = 0;
+        W.K.topLeftCorner(D_, D_).diagonal().setConstant
+        (
+            1/rig_.cloud.shared().beta
+        );
+
+        const vec f
+        (
+            rig_.solved
+            (
+                rig_.models.force->acceleration(set.position[i], 0)
+            )
+        );
+
+        double sumW = 0;
+        vec v(vec::Zero());
+        forNeighbours
+        (
+            W, fluid, [&](const particle& F, const vec& x, double, double w)
+            {
+                // x points from the wall particle to the fluid
+                sumW += w;
+                v += w*F.v;
+                W.p += w*(F.p - F.rho*f.dot(x));
+            }
+        );
+        if (sumW > 0)
+        {
+            v /= sumW;
+            W.p /= sumW;
+        }
+
+        mat reflection(mat::Zero());
+        for (int k = 0; k < D_; ++k)
+        {
+            for (int l = 0; l < D_; ++l)
+            {
+                reflection(k, l) = tensor(set.reflection[i])
+                (
+                    rig_.cloud.axis(k), rig_.cloud.axis(l)
+                );
+            }
+        }
+        W.v = reflection*v;
+        W.viscousV = c_.noSlip ? vec(-v) : W.v;
+        W.rho = rho0_ + W.p/sqr(c0_);
+        W.gradRho = rho0_/sqr(c0_)*f;
+        walls.push_back(W);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,209 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The right-hand side of the library against the printed equations.
+
+\*---------------------------------------------------------------------------*/
+
+#include "literal.H"
+#include "scenes.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A choice of models, in words of the user and of the printed equations
+struct modelChoice
+{
+    const char* name;
+
+    const char* properties;
+
+    literal::coefficients printed;
+};
+
+static const modelChoice choices[] =
+{
+    {
+        "full",
+        "momentMatrix full;"
+        "viscosity { type artificial; alpha 0.1; symmetric yes; }",
+        {0.1, 0.1, true, false, literal::inverse::full}
+    },
+    {
+        "default, C4",
+        "kernel WendlandC4; wall noSlip;"
+        "densityDiffusion { type ULPH; delta 0.2; }"
+        "viscosity { type artificial; alpha 0.05; }",
+        {0.2, 0.05, true, true, literal::inverse::floored}
+    },
+    {
+        "paper",
+        "mode paper;",
+        {0.1, 0.1, false, false, literal::inverse::optimal}
+    }
+};
+
+
+//- Compare all derived fields with the printed equations
+static void compare
+(
+    tally& t,
+    const std::string& what,
+    const rig& library,
+    const literal::coefficients& printed,
+    const double bound
+)
+{
+    const literal exact(library, printed);
+    const ulphCloud& cloud = library.cloud;
+    const bool Fickian = library.models.shift->model() == "Fickian";
+
+    deviation lambda, K, gradRho, div, Phi, dvdt, shift, normal;
+    int nNormals = 0;
+    for (int i = 0; i < library.size(); ++i)
+    {
+        const literal::particle& I = exact.fluid[i];
+        lambda.add(library.scalarOf("lambda", i), I.lambda);
+        K.add(library.tensorOf("inverseMoment", i), I.K);
+        gradRho.add(library.vectorOf("densityGradient", i), I.gradRho);
+        div.add(library.scalarOf("divergence", i), I.div);
+        Phi.add(library.scalarOf("densityDiffusion", i), I.Phi);
+        dvdt.add(library.vectorOf("acceleration", i), I.dvdt);
+        shift.add
+        (
+            library.vectorOf("shift", i),
+            Fickian ? vec(cloud.h()/cloud.shared().beta*I.b) : I.R
+        );
+        if (library.scalarOf("surface", i) > 0)
+        {
+            ++nNormals;
+            normal.add(library.vectorOf("normal", i), I.normal);
+        }
+    }
+
+    t.check(what + " lambda", lambda.relative(), bound);
+    t.check(what + " K", K.relative(), bound);
+    t.check(what + " grad rho", gradRho.relative(), bound);
+    t.check(what + " div v", div.relative(), bound);
+    t.check(what + " Phi", Phi.relative(), bound);
+    t.check(what + " dv/dt", dvdt.relative(), bound);
+    t.check(what + " shift", shift.relative(), bound);
+    t.check(what + " normals", normal.absolute(), 100*bound);
+    t.check(what + " has a surface", nNormals > 10);
+}
+
+
+static void literalChecks(tally& t, const scene& where, const bool mixed)
+{
+    const testCase room(where.name);
+    for (const modelChoice& choice : choices)
+    {
+        const std::string what
+        (
+            where.name + (mixed ? " mixed " : " double ") + choice.name
+        );
+        rig library
+        (
+            room, where.properties(mixed) + choice.properties, where.state
+        );
+        library.evaluate();
+        compare(t, what, library, choice.printed, mixed ? 2e-5 : 1e-12);
+    }
+}
+
+
+//- The lists hold until particles have moved by half the skin
+static void skinChecks(tally& t, const scene& where)
+{
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+    library.evaluate();
+
+    randomVectors random(library.cloud.D(), 13);
+    const scalar step = 0.49*library.neighbours.skin();
+    for (const int nBuilds : {1, 2})
+    {
+        for (int i = 0; i < library.size(); ++i)
+        {
+            const vec move(step*random.vector(1).normalized());
+            for (int k = 0; k < library.cloud.D(); ++k)
+            {
+                library.cloud.x().component(k)[i] += move[k];
+            }
+        }
+        library.rates.addMotion(step);
+        library.evaluate();
+
+        const std::string what
+        (
+            where.name + " moved, list " + std::to_string(nBuilds)
+        );
+        t.check(what + " is in use", library.neighbours.nBuilds() == nBuilds);
+        compare(t, what, library, choice.printed, 1e-12);
+    }
+}
+
+
+//- The passes taken one after the other, as driftKickDrift does it
+static void splitChecks(tally& t, const scene& where)
+{
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+
+    library.rates.updateNeighbours();
+    library.rates.geometry(0, rightHandSide::laplacian::later);
+    library.rates.force(0, true);
+
+    // The force pass sees the old velocity, the divergence pass the new one
+    const literal before(library, choice.printed);
+    deviation dvdt;
+    randomVectors random(library.cloud.D(), 17);
+    for (int i = 0; i < library.size(); ++i)
+    {
+        dvdt.add(library.vectorOf("acceleration", i), before.fluid[i].dvdt);
+        const vec v(random.vector(3));
+        for (int k = 0; k < library.cloud.D(); ++k)
+        {
+            library.cloud.v().component(k)[i] = v[k];
+        }
+    }
+    library.rates.divergence();
+
+    const literal after(library, choice.printed);
+    deviation div, Phi;
+    for (int i = 0; i < library.size(); ++i)
+    {
+        div.add(library.scalarOf("divergence", i), after.fluid[i].div);
+        Phi.add(library.scalarOf("densityDiffusion", i), after.fluid[i].Phi);
+    }
+    t.check(where.name + " split dv/dt", dvdt.relative(), 1e-12);
+    t.check(where.name + " split div v", div.relative(), 1e-12);
+    t.check(where.name + " split Phi", Phi.relative(), 1e-12);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::operatorChecks(tally& t)
+{
+    for (const scene& where : scene::all())
+    {
+        literalChecks(t, where, false);
+        literalChecks(t, where, true);
+        skinChecks(t, where);
+        splitChecks(t, where);
+    }
+    linearChecks(t);
+    latticeChecks(t);
+}
+
+
+// ************************************************************************* //
