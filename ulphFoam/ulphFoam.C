@@ -34,27 +34,11 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
 
-    if (Pstream::parRun())
-    {
-        FatalErrorInFunction
-            << "ulphFoam does not run in parallel by MPI yet." << nl
-            << "    Use threads: OMP_NUM_THREADS=" << Pstream::nProcs()
-            << " ulphFoam"
-            << exit(FatalError);
-    }
+    ulphSolver::refuseParallel();
 
     // Not createMesh.H: its dry run makes a mesh of one column
     Time runTime(Time::controlDictName, args);
-    fvMesh mesh
-    (
-        IOobject
-        (
-            fvMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
+    fvMesh mesh(ulphSolver::meshObject(runTime));
 
     ulphSolver solver(runTime, mesh);
 

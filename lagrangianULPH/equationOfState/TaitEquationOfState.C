@@ -68,4 +68,18 @@ void Foam::equationsOfState::TaitEquationOfState::densityExcess
 }
 
 
+Foam::scalar Foam::equationsOfState::TaitEquationOfState::energy
+(
+    const scalar densityExcess
+) const
+{
+    const scalar log = std::log1p(densityExcess/rho0_);
+    const scalar power = gamma_ - 1;
+    const scalar work =
+        mag(power) > SMALL ? std::expm1(power*log)/power : log;
+
+    return stiffness_/rho0_*(work + std::expm1(-log));
+}
+
+
 // ************************************************************************* //

@@ -26,6 +26,7 @@ Foam::equationsOfState::linearEquationOfState::linearEquationOfState
     const ulphCloud& cloud
 )
 :
+    rho0_(cloud.rho0()),
     c02_(sqr(cloud.c0()))
 {}
 
@@ -57,6 +58,16 @@ void Foam::equationsOfState::linearEquationOfState::densityExcess
     {
         densityExcess[l] = p[l]/c02_;
     }
+}
+
+
+Foam::scalar Foam::equationsOfState::linearEquationOfState::energy
+(
+    const scalar densityExcess
+) const
+{
+    const scalar s = densityExcess/rho0_;
+    return c02_*(std::log1p(s) - s/(1 + s));
 }
 
 

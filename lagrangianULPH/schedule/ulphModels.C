@@ -9,6 +9,14 @@
 #include "IStringStream.H"
 #include "wallPolyPatch.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(ulphModels, 0);
+}
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -73,6 +81,17 @@ Foam::ulphModels::ulphModels
     const ulphCloud& cloud
 )
 :
+    regIOobject
+    (
+        IOobject
+        (
+            typeName,
+            cloud.mesh().time().constant(),
+            cloud.mesh(),
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
     dict(complete(ulphProperties, cloud.mesh())),
     state(equationOfState::New(dict, cloud)),
     moment(momentMatrix::New(dict, cloud)),
@@ -157,6 +176,13 @@ Foam::UPtrList<Foam::effect> Foam::ulphModels::all()
         list.set(i, models[i]);
     }
     return list;
+}
+
+
+bool Foam::ulphModels::writeData(Ostream& os) const
+{
+    dict.write(os, false);
+    return os.good();
 }
 
 

@@ -11,6 +11,30 @@
 
 #include <omp.h>
 
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::ulphSolver::meshObject(const Time& time)
+{
+    return IOobject
+    (
+        fvMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ
+    );
+}
+
+
+void Foam::ulphSolver::refuseParallel()
+{
+    if (Pstream::parRun())
+    {
+        FatalErrorInFunction
+            << "ulphFoam does not run in parallel by MPI yet." << nl
+            << "    Use threads: OMP_NUM_THREADS=" << Pstream::nProcs()
+            << " ulphFoam"
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::ulphCloud::properties Foam::ulphSolver::shared

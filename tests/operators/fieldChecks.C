@@ -160,8 +160,8 @@ void Foam::latticeChecks(tally& t)
     const double sheets[] = {0, 0.242, 0.484, 0.555, 0.555};
     for (int rows = 1; rows <= 5; ++rows)
     {
-        // The middle row, or one of the two
-        const vec place(0, rows % 2 ? 0 : 0.5*where.dx, 0);
+        // The poorest row: of thin sheets the middle, of thick ones the edge
+        const vec place(0, rows < 4 ? 0 : 0.5*rows*where.dx, 0);
         t.check
         (
             "2D lambda of a sheet of " + std::to_string(rows) + " rows",

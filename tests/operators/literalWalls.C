@@ -41,6 +41,7 @@ void Foam::literal::setWalls()
         );
 
         double sumW = 0;
+        double balance = 0;
         vec v(vec::Zero());
         forNeighbours
         (
@@ -49,13 +50,16 @@ void Foam::literal::setWalls()
                 // x points from the wall particle to the fluid
                 sumW += w;
                 v += w*F.v;
-                W.p += w*(F.p - F.rho*f.dot(x));
+                W.p += w*F.p;
+                balance -= w*F.rho*f.dot(x);
             }
         );
         if (sumW > 0)
         {
             v /= sumW;
-            W.p /= sumW;
+
+            // A wall does not hold fluid without pressure
+            W.p = (W.p + (W.p <= 0 && balance < 0 ? 0 : balance))/sumW;
         }
 
         mat reflection(mat::Zero());

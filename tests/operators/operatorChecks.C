@@ -34,8 +34,9 @@ static const modelChoice choices[] =
         {0.1, 0.1, true, false, literal::inverse::full}
     },
     {
-        "default, C4",
+        "floored, C4",
         "kernel WendlandC4; wall noSlip;"
+        "momentMatrix { type eigenvalueFloored; floor 0.36; }"
         "densityDiffusion { type ULPH; delta 0.2; }"
         "viscosity { type artificial; alpha 0.05; }",
         {0.2, 0.05, true, true, literal::inverse::floored}

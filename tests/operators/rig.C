@@ -107,7 +107,7 @@ Foam::fluidState Foam::fluidState::random
     for (int i = 0; i < state.size(); ++i)
     {
         state.v.push_back(random.vector(1));
-        state.rho1.push_back(random.number(0, 2));
+        state.rho1.push_back(random.number(-1, 1) + (places[i][0] > 0.2));
         state.m.push_back(1000*std::pow(dx, D)*random.number(0.9, 1.1));
     }
     return state;

@@ -87,7 +87,8 @@ class Case:
             return default
         text = found.stdout.strip()
         try:
-            return float(text)
+            # OpenFOAM may warn on standard output first
+            return float(text.splitlines()[-1])
         except ValueError:
             return text
 

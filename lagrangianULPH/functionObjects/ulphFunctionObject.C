@@ -1,0 +1,108 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphFunctionObject.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::ulphFunctionObject::ulphFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict,
+    const word& tableName
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, tableName, dict)
+{}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+bool Foam::functionObjects::ulphFunctionObject::found() const
+{
+    return mesh_.foundObject<ulphCloud>(ulphCloud::cloudName);
+}
+
+
+const Foam::ulphCloud&
+Foam::functionObjects::ulphFunctionObject::particles() const
+{
+    return mesh_.lookupObject<ulphCloud>(ulphCloud::cloudName);
+}
+
+
+const Foam::ulphModels&
+Foam::functionObjects::ulphFunctionObject::models() const
+{
+    return mesh_.lookupObject<ulphModels>(ulphModels::typeName);
+}
+
+
+void Foam::functionObjects::ulphFunctionObject::start()
+{
+    if (time_.timeIndex() == time_.startTimeIndex() && found())
+    {
+        write();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::ulphFunctionObject::read(const dictionary& dict)
+{
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::ulphFunctionObject::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::ulphFunctionObject::write()
+{
+    const wordList names(columns());
+    const scalarList values(row());
+
+    Log << type() << ' ' << name() << " write:" << nl;
+    forAll(names, i)
+    {
+        setResult(names[i], values[i]);
+        Log << "    " << names[i] << " = " << values[i] << nl;
+    }
+    Log << endl;
+
+    if (writeToFile())
+    {
+        if (!headerWritten_)
+        {
+            for (const string& remark : remarks())
+            {
+                writeHeader(file(), remark);
+            }
+            writeCommented(file(), "Time");
+            for (const word& column : names)
+            {
+                writeTabbed(file(), column);
+            }
+            file() << endl;
+            headerWritten_ = true;
+        }
+        writeCurrentTime(file());
+        for (const scalar value : values)
+        {
+            file() << tab << setw(charWidth()) << value;
+        }
+        file() << endl;
+    }
+    return true;
+}
+
+
+// ************************************************************************* //
