@@ -83,7 +83,9 @@ Foam::List<Foam::string> Foam::functionObjects::ulphMoments::remarks() const
     {
         "Moments of the particles [kg m s]",
         "angular momentum and extents about "
-      + name(origin_.x()) + ' ' + name(origin_.y()) + ' ' + name(origin_.z())
+      + Foam::name(origin_.x()) + ' '
+      + Foam::name(origin_.y()) + ' '
+      + Foam::name(origin_.z())
     };
 }
 
@@ -97,7 +99,7 @@ Foam::wordList Foam::functionObjects::ulphMoments::columns() const
         {"centroid", "momentum", "angularMomentum", "axis", "extent"}
     )
     {
-        for (const char* const cmpt : vector::componentNames)
+        for (const char* const cmpt : {"x", "y", "z"})
         {
             names.append(word(vectorName) + '_' + cmpt);
         }

@@ -70,6 +70,16 @@ void Foam::ulphSolver::makeParticles()
     if (ulphCloud::found(mesh_, time_.timeName()))
     {
         cloud_.read(time_.timeName());
+
+        // The name of the time directory is a rounded value
+        time_.setTime
+        (
+            cloud_.readProperties(time_.timeName()).getOrDefault<scalar>
+            (
+                "time", time_.value()
+            ),
+            time_.timeIndex()
+        );
         Info<< "Read " << cloud_.size() << " particles of time "
             << time_.timeName() << nl << endl;
         return;
@@ -227,6 +237,10 @@ void Foam::ulphSolver::setDeltaT()
             )
         );
     }
+    // The step to a write time comes from differences of times that a restart
+    // takes from another start: in float it is the same
+    time_.setDeltaT(scalar(float(time_.deltaTValue())), false);
+
     guard_.checkDeltaT(time_.deltaTValue(), cloud_.h()/cloud_.c0());
 }
 
@@ -258,6 +272,7 @@ void Foam::ulphSolver::write(const bool always)
 
     dictionary extra;
     extra.add("nParticles", cloud_.size());
+    extra.add("time", time_.value());
     extra.add("maxAcceleration", tools_->maxAcceleration());
     if (!cloud_.write(locator_, extra))
     {
