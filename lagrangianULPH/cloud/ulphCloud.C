@@ -64,6 +64,17 @@ Foam::point Foam::ulphCloud::position(const label i) const
 }
 
 
+Foam::pointField Foam::ulphCloud::positions() const
+{
+    pointField all(size_);
+    forAll(all, i)
+    {
+        all[i] = position(i);
+    }
+    return all;
+}
+
+
 Foam::vector Foam::ulphCloud::toVector
 (
     const particleField& field,

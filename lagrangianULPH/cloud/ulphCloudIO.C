@@ -227,33 +227,25 @@ void Foam::ulphCloud::read(const word& instance)
 }
 
 
-bool Foam::ulphCloud::write
+void Foam::ulphCloud::write
 (
     const cellLocator& locator,
+    const labelUList& cellOf,
     const dictionary& extra
 ) const
 {
-    pointField positions(size_);
-    forAll(positions, i)
-    {
-        positions[i] = position(i);
-    }
-    labelList cells(locator.find(positions));
-
-    // Readers stop at a particle outside the mesh
     labelList kept(size_);
     label n = 0;
-    forAll(cells, i)
+    forAll(cellOf, i)
     {
-        if (cells[i] >= 0)
+        if (cellOf[i] >= 0)
         {
             kept[n++] = i;
         }
     }
     kept.resize(n);
-    nNotWritten_ = size_ - n;
-    positions = pointField(positions, kept);
-    cells = labelList(UIndirectList<label>(cells, kept)());
+    pointField written(positions(), kept);
+    labelList cells(UIndirectList<label>(cellOf, kept)());
 
     for
     (
@@ -263,7 +255,7 @@ bool Foam::ulphCloud::write
     {
         writeChecked
         (
-            cloudPositions(*this, geometry, locator, positions, cells)
+            cloudPositions(*this, geometry, locator, written, cells)
         );
     }
 
@@ -331,8 +323,6 @@ bool Foam::ulphCloud::write
     os.precision(17);
     properties.writeHeader(os);
     properties.writeData(os);
-
-    return nNotWritten_ == 0;
 }
 
 

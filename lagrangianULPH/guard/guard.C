@@ -29,7 +29,8 @@ void Foam::guard::stop(const std::string& what, const label i) const
         << "; the last good state is written there." << nl
         << "    Look at it in ParaView; a smaller maxCo, mode default, or a "
         << "larger c0 (10 times the" << nl
-        << "    highest speed) are the usual mends."
+        << "    highest speed) are the usual mends; guard { } in "
+        << "constant/ulphProperties sets the limits."
         << exit(FatalError);
 
     ::abort();
@@ -89,6 +90,13 @@ Foam::guard::guard
             "minDeltaTFraction", 1e-3, scalarMinMax(0, 1)
         )
     ),
+    maxEscaped_
+    (
+        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<label>
+        (
+            "maxEscaped", 0, labelMinMax::ge(0)
+        )
+    ),
     write_(write)
 {}
 
@@ -139,6 +147,26 @@ void Foam::guard::checkState
             )
         );
     }
+}
+
+
+void Foam::guard::countEscaped(const labelUList& escaped)
+{
+    nEscaped_ += escaped.size();
+    if (nEscaped_ > maxEscaped_)
+    {
+        stop
+        (
+            std::to_string(nEscaped_) + " particles have left the mesh",
+            escaped[0]
+        );
+    }
+}
+
+
+void Foam::guard::report(Ostream& os) const
+{
+    os  << "    guard: " << nEscaped_ << " particles left the mesh" << nl;
 }
 
 

@@ -86,6 +86,32 @@ Foam::neighbourSearch::neighbourSearch
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::neighbourSearch::contains() const
+{
+    const boundBox& bounds = cloud_.mesh().bounds();
+    for (int k = 0; k < cloud_.D(); ++k)
+    {
+        const double* const x = cloud_.x().component(k);
+        double lower = GREAT;
+        double upper = -GREAT;
+
+        #pragma omp parallel for schedule(static) \
+            reduction(min : lower) reduction(max : upper)
+        for (label i = 0; i < cloud_.size(); ++i)
+        {
+            lower = x[i] < lower ? x[i] : lower;
+            upper = x[i] > upper ? x[i] : upper;
+        }
+        const direction d = cloud_.axis(k);
+        if (lower < bounds.min()[d] || upper > bounds.max()[d])
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 bool Foam::neighbourSearch::update()
 {
     if (valid_ && 2*moved_ < skin_)

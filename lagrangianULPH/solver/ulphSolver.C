@@ -189,7 +189,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     ),
     contact_(cloud_, search_),
     schedule_(models_, cloud_),
-    guard_(properties_, cloud_, [this]() { write(true); }),
+    guard_(properties_, cloud_, [this]() { writeCloud(); }),
     rates_
     (
         cloud_, models_, schedule_, wall_, neighbours_, contact_, ledger_
@@ -258,7 +258,41 @@ void Foam::ulphSolver::advance()
     const scalar dt = time_.deltaTValue();
     models_.integration->advance(*tools_, time_.value() - dt, dt);
     tools_->check();
+    if (!neighbours_.contains())
+    {
+        removeEscaped();
+    }
     ledger_.addStep(cloud_.size());
+}
+
+
+void Foam::ulphSolver::removeEscaped()
+{
+    const labelList cells(locator_.find(cloud_.positions()));
+    DynamicList<label> escaped;
+    forAll(cells, i)
+    {
+        if (cells[i] < 0)
+        {
+            escaped.append(i);
+        }
+    }
+    if (escaped.size())
+    {
+        guard_.countEscaped(escaped);
+        cloud_.remove(labelHashSet(escaped));
+        neighbours_.invalidate();
+    }
+}
+
+
+void Foam::ulphSolver::writeCloud() const
+{
+    dictionary extra;
+    extra.add("nParticles", cloud_.size());
+    extra.add("time", time_.value());
+    extra.add("maxAcceleration", tools_->maxAcceleration());
+    cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
 }
 
 
@@ -270,17 +304,8 @@ void Foam::ulphSolver::write(const bool always)
     }
     ledger::section timer(ledger_, "write");
 
-    dictionary extra;
-    extra.add("nParticles", cloud_.size());
-    extra.add("time", time_.value());
-    extra.add("maxAcceleration", tools_->maxAcceleration());
-    if (!cloud_.write(locator_, extra))
-    {
-        WarningInFunction
-            << cloud_.nNotWritten()
-            << " particles lie in no cell of the mesh and were not written"
-            << endl;
-    }
+    removeEscaped();
+    writeCloud();
 
     // A restart from here makes new lists: so must this run, to stay the same
     neighbours_.invalidate();
@@ -358,6 +383,7 @@ void Foam::ulphSolver::report() const
     }
     wall_.report(Info);
     contact_.report(Info);
+    guard_.report(Info);
     Info<< endl;
 }
 

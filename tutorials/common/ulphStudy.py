@@ -1,0 +1,95 @@
+"""What the studies over resolutions and modes share: tables, costs, orders.
+
+A study is a folder with one case folder per run, named <mode>-<resolution>, for
+instance paper-R50.
+"""
+
+import csv
+import pathlib
+import re
+
+import numpy as np
+
+
+def table(folder, name):
+    """Columns by name of a function object's table, restarts joined.
+
+    Each has the shape (rows,); rows that a restart repeats are dropped.
+    """
+    files = pathlib.Path(folder, "postProcessing", name).glob("*/*.dat")
+    parts, columns = [], []
+    for file in sorted(files, key=lambda f: float(f.parent.name)):
+        lines = file.read_text().splitlines()
+        head = [line for line in lines if line.startswith("# Time")][-1]
+        columns = head.lstrip("# ").split()
+        rows = [line.split() for line in lines if line and line[0] != "#"]
+        parts.append(np.array(rows, dtype=float).reshape(-1, len(columns)))
+    if not parts:
+        raise FileNotFoundError(f"no table of {name} in {folder}/postProcessing")
+    for i in range(len(parts) - 1):
+        parts[i] = parts[i][parts[i][:, 0] < parts[i + 1][0, 0]]
+    return dict(zip(columns, np.concatenate(parts).T))
+
+
+def vector(columns, name):
+    """The x, y and z columns of a vector of a table, shape (rows, 3)."""
+    return np.stack([columns[f"{name}_{c}"] for c in "xyz"], axis=1)
+
+
+def cost(folder):
+    """CPU seconds, steps, particle-steps per run, from the ledgers of its log.
+
+    A run that stopped by itself has no ledger: its steps are counted, and the
+    particles are those of its last step.
+    """
+    text = pathlib.Path(folder, "log.ulphFoam").read_text()
+    total = last = 0.0
+    for found in re.finditer(r"^ExecutionTime = (\S+) s", text, re.M):
+        now = float(found.group(1))
+        total += last if now < last else 0
+        last = now
+    seconds = total + last
+    steps = len(re.findall(r"^Time = ", text, re.M))
+    particles = int(re.findall(r"^particles (\d+)", text, re.M)[-1])
+    return {
+        "particles": particles,
+        "steps": steps,
+        "cpuSeconds": seconds,
+        "secondsPerParticleStep": seconds / (steps * particles),
+    }
+
+
+def writeRows(file, rows):
+    """Dictionaries to a CSV file; the first gives names and order of columns."""
+    with open(file, "w", newline="") as stream:
+        writer = csv.DictWriter(stream, rows[0], restval="", extrasaction="ignore")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow(
+                {k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()}
+            )
+    print(f"Figures are in {file}")
+
+
+def order(spacings, errors):
+    """Slope of log(error) over log(spacing), least squares."""
+    return np.polyfit(np.log(spacings), np.log(errors), 1)[0]
+
+
+def workPrecision(axes, rows, error, line):
+    """Error against CPU seconds, log-log, one line per value of rows[line]."""
+    for k, name in enumerate(dict.fromkeys(row[line] for row in rows)):
+        chosen = sorted(
+            (row["cpuSeconds"], row[error], row["resolution"])
+            for row in rows
+            if row[line] == name
+        )
+        seconds, errors, resolutions = zip(*chosen)
+        axes.loglog(seconds, errors, "o-", ms=4, color=f"C{k}", label=name)
+        for s, e, r in chosen:
+            axes.annotate(
+                r, (s, e), (4, 4), textcoords="offset points", fontsize=7, color=f"C{k}"
+            )
+    axes.set(xlabel="CPU time [s]")
+    axes.grid(which="both", color="0.92", lw=0.6)
+    axes.legend(fontsize=8)

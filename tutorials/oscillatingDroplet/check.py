@@ -1,0 +1,76 @@
+"""Checks and figures of the oscillating drop: check.py <room>
+
+The room holds a folder for each run, <mode>-R<number>; all that have finished
+are taken. Writes <room>/figures.csv.
+"""
+
+import pathlib
+import sys
+
+from exact import PERIOD, R, Run
+from ulphCase import Case, Checks
+from ulphStudy import order, writeRows
+
+# rms and largest error of the axes over R, area drift, energy change over Ek0,
+# at the least these periods
+BOUNDS = {
+    "default-R25": (3, 0.0015, 0.005, 0.005, 0.06),
+    "default-R50": (2, 0.0005, 0.0015, 0.002, 0.02),
+    "default-R100": (1, 0.0002, None, None, None),
+    "paper-R25": (3, 0.008, None, None, None),
+    "paper-R50": (2, 0.003, None, None, None),
+}
+
+
+def runs(room):
+    """The finished runs of a room, coarse to fine, mode by mode."""
+    found = [
+        Run(log.parent)
+        for log in pathlib.Path(room).glob("*-R*/log.ulphFoam")
+        if Case(log.parent).finished()
+    ]
+    return sorted(found, key=lambda run: (run.mode, -run.dx))
+
+
+def checkRun(run, figures):
+    check = Checks(run.folder.name + ".")
+    bounds = BOUNDS.get(run.folder.name, (0, None, None, None, None))
+    if figures["periods"] >= bounds[0] - 0.01:
+        _, rms, largest, area, energy = bounds
+        if rms:
+            check("rmsAxisError", figures["rmsAxisError"], 0, rms)
+        if largest:
+            check("maxAxisError", figures["maxAxisError"], 0, largest)
+        if area:
+            check("areaDrift", figures["areaDrift"], -area, area)
+            check("energyChange", figures["energyChange"], -energy, energy)
+    if figures["periods"] > 9.9:
+        check("amplitudeKept", figures["amplitudeKept"], 0.98, 1.02)
+    check("momentum", figures["momentum"], 0, 1e-4)
+    check("angularMomentum", figures["angularMomentum"], 0, 1e-4)
+    return check.failed
+
+
+def orders(all, check):
+    """Observed order of each mode from R/12 to R/50, over two periods."""
+    for mode in dict.fromkeys(run.mode for run in all):
+        chosen = [r for r in all if r.mode == mode and R / 51 < r.dx < R / 11]
+        errors = [run.rms(2) for run in chosen]
+        if len(chosen) > 2 and all_finite(errors):
+            least = 1.2 if mode == "default" else None
+            check(mode + ".orderR12toR50", order([r.dx for r in chosen], errors), least)
+
+
+def all_finite(values):
+    return all(v == v for v in values)
+
+
+if __name__ == "__main__":
+    room = sys.argv[1]
+    all_runs = runs(room)
+    rows = [run.figures() for run in all_runs]
+    failed = sum(checkRun(run, row) for run, row in zip(all_runs, rows))
+    check = Checks()
+    orders(all_runs, check)
+    writeRows(pathlib.Path(room) / "figures.csv", rows)
+    sys.exit(1 if failed + check.failed else 0)
