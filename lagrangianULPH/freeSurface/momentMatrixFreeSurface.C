@@ -217,16 +217,6 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     const ulph::clusterList& list = search.fluidList();
     const particleField& x = search.cloud().x();
 
-    const auto close = [&](const label i, const label j)
-    {
-        scalar r2 = 0;
-        for (int k = 0; k < D_; ++k)
-        {
-            r2 += sqr(x.component(k)[j] - x.component(k)[i]);
-        }
-        return j != i && r2 < sqr(2*h_);
-    };
-
     class_->reset(lambda_->size());
 
     #pragma omp parallel for schedule(dynamic, 16)
@@ -236,33 +226,74 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         const std::uint32_t* const first = list.neighbours(c) + c.begin;
         const std::uint32_t* const last = list.neighbours(c) + c.fluidEnd;
 
-        thread_local std::vector<label> surfaces;
-        surfaces.clear();
+        // Members that have seen a surface particle, and any fluid, in reach
+        ulph::laneRow sawSurface = {};
+        ulph::laneRow sawFluid = {};
+        ulph::laneRow members[3];
+        for (int k = 0; k < D_; ++k)
+        {
+            x.load(k, c.first, c.count, members[k]);
+        }
+        const auto look = [&](const std::uint32_t j, ulph::laneRow& saw)
+        {
+            ulph::laneRow r2 = {};
+            for (int k = 0; k < D_; ++k)
+            {
+                const scalar xj = x.component(k)[j];
+                for (int l = 0; l < c.count; ++l)
+                {
+                    r2[l] += sqr(xj - members[k][l]);
+                }
+            }
+            for (int l = 0; l < c.count; ++l)
+            {
+                const bool in = r2[l] < sqr(2*h_) && label(j) != c.first + l;
+                saw[l] = in ? 1 : saw[l];
+            }
+        };
+
+        bool any = false;
         for (const std::uint32_t* j = first; j != last; ++j)
         {
             if (onSurface_[*j])
             {
-                surfaces.push_back(label(*j));
+                any = true;
+                look(*j, sawSurface);
+            }
+        }
+        mask_[i] = any && !known_[i];
+
+        const unsigned char* const on = onSurface_.data() + c.first;
+        if (std::find(on, on + c.count, 1) != on + c.count)
+        {
+            const auto lonely = [&]()
+            {
+                bool found = false;
+                for (int l = 0; l < c.count; ++l)
+                {
+                    found = found || (on[l] && sawFluid[l] == 0);
+                }
+                return found;
+            };
+            // Members of a cluster are close to each other, as a rule
+            for (int l = 0; l < c.count; ++l)
+            {
+                look(std::uint32_t(c.first + l), sawFluid);
+            }
+            for (const std::uint32_t* j = first; j != last && lonely(); ++j)
+            {
+                look(*j, sawFluid);
             }
         }
 
-        mask_[i] = !surfaces.empty() && !known_[i];
-        for (int p = c.first; !surfaces.empty() && p < c.first + c.count; ++p)
+        ulph::laneRow classes;
+        for (int l = 0; l < c.count; ++l)
         {
-            const auto closeToP = [&](const label j) { return close(p, j); };
-            const bool fluid = std::any_of(first, last, closeToP);
-            const bool on = onSurface_[p];
-            const bool near =
-                !on
-             && std::any_of(surfaces.begin(), surfaces.end(), closeToP);
-
-            class_->set
-            (
-                p,
-                0,
-                on ? (fluid ? surface : splash) : near ? vicinity : interior
-            );
+            classes[l] =
+                on[l] ? (sawFluid[l] > 0 ? surface : splash)
+              : sawSurface[l] > 0 ? vicinity : interior;
         }
+        class_->store(0, c.first, c.count, classes);
     }
 }
 

@@ -51,7 +51,7 @@ Foam::wordList Foam::functionObjects::ulphEnergy::columns() const
 }
 
 
-Foam::scalarList Foam::functionObjects::ulphEnergy::row() const
+Foam::scalarList Foam::functionObjects::ulphEnergy::row()
 {
     const ulphCloud& cloud = particles();
     const particleField& m = cloud.mass();

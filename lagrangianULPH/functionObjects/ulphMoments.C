@@ -112,7 +112,7 @@ Foam::wordList Foam::functionObjects::ulphMoments::columns() const
 }
 
 
-Foam::scalarList Foam::functionObjects::ulphMoments::row() const
+Foam::scalarList Foam::functionObjects::ulphMoments::row()
 {
     const ulphCloud& cloud = particles();
 

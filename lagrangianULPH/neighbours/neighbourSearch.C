@@ -8,7 +8,7 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 std::shared_ptr<const ulph::cellLayout>
-Foam::neighbourSearch::makeCells(const ulphCloud& cloud)
+Foam::neighbourSearch::makeCells(const ulphCloud& cloud, const scalar size)
 {
     // Five layers of wall, and room for what the guard has yet to stop
     const scalar margin = 8*cloud.dx();
@@ -22,7 +22,7 @@ Foam::neighbourSearch::makeCells(const ulphCloud& cloud)
     }
     return std::make_shared<ulph::cellLayout>
     (
-        cloud.D(), lower, upper, 2*cloud.dx()
+        cloud.D(), lower, upper, size
     );
 }
 
@@ -51,8 +51,8 @@ void Foam::neighbourSearch::build()
 
     sums_->resize(firstWall() + wall_.size());
 
+    motion_.reset(cloud_.view(), wall_.view());
     valid_ = true;
-    moved_ = 0;
     ++nBuilds_;
 }
 
@@ -71,9 +71,10 @@ Foam::neighbourSearch::neighbourSearch
     wall_(wall),
     sums_(weight.sums(cloud.shared().mixed)),
     skin_(skin*cloud.dx()),
-    cells_(makeCells(cloud)),
+    cells_(makeCells(cloud, 2*cloud.dx())),
     fluidGrid_(cells_),
-    wallGrid_(cells_)
+    wallGrid_(cells_),
+    motion_(makeCells(cloud, 2*cloud.h() + skin_))
 {
     std::array<double, 3> upper(cells_->lower());
     for (int k = 0; k < cloud.D(); ++k)
@@ -114,7 +115,7 @@ bool Foam::neighbourSearch::contains() const
 
 bool Foam::neighbourSearch::update()
 {
-    if (valid_ && 2*moved_ < skin_)
+    if (valid_ && !motion_.exceeds(cloud_.view(), skin_))
     {
         return false;
     }
@@ -126,7 +127,7 @@ bool Foam::neighbourSearch::update()
 std::size_t Foam::neighbourSearch::bytes() const
 {
     return sums_->bytes() + fluidList_.bytes() + wallList_.bytes()
-      + fluidGrid_.bytes() + wallGrid_.bytes();
+      + fluidGrid_.bytes() + wallGrid_.bytes() + motion_.bytes();
 }
 
 

@@ -75,7 +75,6 @@ void Foam::stepTools::drift(const scalar dt)
             x[i] += dt*v[i];
         }
     }
-    rates_.addMotion(dt*maxSpeed_);
 }
 
 
@@ -187,26 +186,19 @@ void Foam::stepTools::shift(const scalar dt)
     ulphCloud& cloud = rates_.cloud();
     const scalar VmaxDt = maxSpeed_*dt;
 
-    scalar max2 = 0;
-
-    #pragma omp parallel for schedule(static) reduction(max : max2)
-    for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
+    forTiles(cloud.size(), [&](const label first, const label n)
     {
-        const label n = min(label(ulph::maxLanes), cloud.size() - first);
         ulph::laneRow dx[3];
         model.displacement(VmaxDt, first, n, dx);
-        for (label l = 0; l < n; ++l)
+        for (int k = 0; k < cloud.D(); ++k)
         {
-            scalar length2 = 0;
-            for (int k = 0; k < cloud.D(); ++k)
+            double* const x = cloud.x().component(k) + first;
+            for (label l = 0; l < n; ++l)
             {
-                cloud.x().component(k)[first + l] += dx[k][l];
-                length2 += sqr(dx[k][l]);
+                x[l] += dx[k][l];
             }
-            max2 = length2 > max2 ? length2 : max2;
         }
-    }
-    rates_.addMotion(returnReduce(std::sqrt(max2), maxOp<scalar>()));
+    });
     contact_.limitPosition();
 }
 

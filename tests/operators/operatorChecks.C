@@ -10,6 +10,8 @@ Description
 #include "literal.H"
 #include "scenes.H"
 
+#include <functional>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -117,7 +119,21 @@ static void literalChecks(tally& t, const scene& where, const bool mixed)
 }
 
 
-//- The lists hold until particles have moved by half the skin
+//- Move every particle
+static void move(rig& library, const std::function<vec()>& displacement)
+{
+    for (int i = 0; i < library.size(); ++i)
+    {
+        const vec d(displacement());
+        for (int k = 0; k < library.cloud.D(); ++k)
+        {
+            library.cloud.x().component(k)[i] += d[k];
+        }
+    }
+}
+
+
+//- The lists hold as long as the skin allows, and no longer
 static void skinChecks(tally& t, const scene& where)
 {
     const testCase room(where.name);
@@ -125,19 +141,22 @@ static void skinChecks(tally& t, const scene& where)
     rig library(room, where.properties(false) + choice.properties, where.state);
     library.evaluate();
 
-    randomVectors random(library.cloud.D(), 13);
-    const scalar step = 0.49*library.neighbours.skin();
+    randomVectors random(where.D, 13);
+    const scalar skin = library.neighbours.skin();
     for (const int nBuilds : {1, 2})
     {
-        for (int i = 0; i < library.size(); ++i)
-        {
-            const vec move(step*random.vector(1).normalized());
-            for (int k = 0; k < library.cloud.D(); ++k)
+        move
+        (
+            library,
+            [&]()
             {
-                library.cloud.x().component(k)[i] += move[k];
+                return vec
+                (
+                    (nBuilds == 1 ? 0.2 : 0.7)*skin
+                   *random.vector(1).normalized()
+                );
             }
-        }
-        library.rates.addMotion(step);
+        );
         library.evaluate();
 
         const std::string what
@@ -147,6 +166,33 @@ static void skinChecks(tally& t, const scene& where)
         t.check(what + " is in use", library.neighbours.nBuilds() == nBuilds);
         compare(t, what, library, choice.printed, 1e-12);
     }
+}
+
+
+//- A drop that falls as a whole finds the floor in time
+static void fallChecks(tally& t)
+{
+    scene where(scene::tank(2));
+    where.state = fluidState::ball(2, where.dx);
+    for (vec& x : where.state.x)
+    {
+        x += vec(0.5, 0.45, 0);
+    }
+
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+    library.evaluate();
+    t.check(where.name + " drop in the air", library.wall.size() == 0);
+
+    for (int i = 0; i < 30; ++i)
+    {
+        move(library, [&]() { return vec(0, -0.25*where.dx, 0); });
+        library.rates.updateNeighbours();
+    }
+    library.evaluate();
+    t.check(where.name + " fallen drop meets walls", library.wall.size() > 0);
+    compare(t, where.name + " fallen drop", library, choice.printed, 1e-12);
 }
 
 
@@ -202,6 +248,7 @@ void Foam::operatorChecks(tally& t)
         skinChecks(t, where);
         splitChecks(t, where);
     }
+    fallChecks(t);
     linearChecks(t);
     latticeChecks(t);
 }

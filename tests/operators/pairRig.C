@@ -20,6 +20,8 @@ Foam::pairRig::pairRig
 :
     sample(particles)
 {
+    std::array<double, 3> lower{};
+    std::array<double, 3> upper{};
     for (int k = 0; k < sample.D; ++k)
     {
         lower[k] = GREAT;
@@ -39,11 +41,6 @@ Foam::pairRig::pairRig
     (
         sample.D, lower, upper, cellSize
     );
-    for (int k = 0; k < sample.D; ++k)
-    {
-        lower[k] -= 0.5;
-        upper[k] += 0.5;
-    }
 
     fluidGrid_.reset(new ulph::cellGrid(cells));
     wallGrid_.reset(new ulph::cellGrid(cells));
@@ -103,7 +100,6 @@ void Foam::pairRig::sort()
 
 void Foam::pairRig::pack(ulph::pairSums& sums) const
 {
-    sums.setFrame(lower, upper);
     sums.resize(sample.size());
 
     for (int i = 0; i < sample.size(); ++i)

@@ -85,7 +85,7 @@ static void columnChecks
       + ", jitter " + text(jitter) + " dx, mixed: "
     );
     t.check(what + "dv/dt over g", acceleration.absolute()/9.81, 1.3e-4);
-    t.check(what + "lambda", lambda.relative(), 2e-6);
+    t.check(what + "lambda", lambda.relative(), 3e-6);
     t.check(what + "surface classes", nClasses, 0.0);
 }
 
@@ -101,7 +101,7 @@ void Foam::precisionChecks(tally& t)
         columnChecks(t, "tank2D", 2, jitter);
         columnChecks(t, "tank3D", 3, jitter);
 
-        // Positions have the fewest digits where the mesh is long
+        // A long mesh must not cost positions their digits
         columnChecks(t, "flume2D", 2, jitter);
     }
 }

@@ -186,7 +186,7 @@ static std::vector<double> fieldsOf
     library.evaluate();
 
     // Again after a rebuild, and the pass of the divergence alone
-    library.rates.addMotion(library.neighbours.skin());
+    library.neighbours.invalidate();
     library.evaluate();
     library.rates.divergence();
     omp_set_num_threads(1);
