@@ -135,7 +135,10 @@ def energyPicture(all, file):
 
 def studyPicture(all, file):
     """Error over spacing and over CPU time, for the runs over resolutions."""
-    studied = ("default", "rings", "paper", "paperViscous", "noShift", "fastSound")
+    studied = (
+        *("default", "rings", "sharp", "noShift", "fastSound"),
+        *("paper", "paperViscous"),
+    )
     rows = [
         {"error": run.rms(1), **run.figures()}
         for run in all
