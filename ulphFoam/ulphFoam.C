@@ -32,9 +32,9 @@ int main(int argc, char *argv[])
         "Check the case, write the particles of the start, predict the run"
     );
 
-    #include "setRootCaseLists.H"
+    ulphSolver::refuseParallel(argc, argv);
 
-    ulphSolver::refuseParallel();
+    #include "setRootCaseLists.H"
 
     // Not createMesh.H: its dry run makes a mesh of one column
     Time runTime(Time::controlDictName, args);

@@ -6,8 +6,10 @@
 #include "ulphCloud.H"
 
 #include "cloudPositions.H"
+#include "inputChecks.H"
 #include "IOField.H"
 #include "OFstream.H"
+#include "StringStream.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -15,37 +17,141 @@
 namespace Foam
 {
 
+//- While it lives, errors are exceptions
+class errorsThrown
+{
+    const bool error_;
+
+    const bool IOerror_;
+
+public:
+
+    errorsThrown()
+    :
+        error_(FatalError.throwExceptions()),
+        IOerror_(FatalIOError.throwExceptions())
+    {}
+
+    ~errorsThrown()
+    {
+        FatalError.throwExceptions(error_);
+        FatalIOError.throwExceptions(IOerror_);
+    }
+};
+
+
+//- Remove what there is of the cloud in the present time directory, and that
+//  directory itself if it has nothing else: a restart shall not find them
+static void removeCloud(const Time& time)
+{
+    const fileName lagrangian(time.timePath()/cloud::prefix);
+    const fileName uniform(time.timePath()/"uniform");
+
+    rmDir(lagrangian/ulphCloud::cloudName);
+    rmDir(uniform/cloud::prefix/ulphCloud::cloudName);
+
+    // Only if empty
+    std::remove(lagrangian.c_str());
+    std::remove((uniform/cloud::prefix).c_str());
+    std::remove(uniform.c_str());
+    std::remove(time.timePath().c_str());
+}
+
+
 //- Write an object and make sure that it has reached the disk
-static void writeChecked(const regIOobject& object)
+static void writeChecked
+(
+    const regIOobject& object,
+    const IOstream::streamFormat format,
+    const unsigned precision
+)
 {
     const Time& time = object.time();
     const fileName path(object.objectPath());
-    mkDir(path.path());
 
     bool good = false;
+    try
     {
+        const errorsThrown guarded;
+        mkDir(path.path());
         OFstream os
         (
             path,
-            time.writeFormat(),
+            format,
             IOstream::currentVersion,
             time.writeCompression()
         );
+        os.precision(precision);
         good = os.good() && object.writeHeader(os) && object.writeData(os);
         IOobject::writeEndDivider(os);
         os.stdStream().flush();
         good = good && os.stdStream().good();
     }
+    catch (const Foam::error&)
+    {}
+
     if (!good)
     {
+        removeCloud(time);
+
         FatalErrorInFunction
             << "Cannot write " << path << nl
-            << "    The disk may be full or the folder not writable. Times "
-            << "written before are intact;" << nl
-            << "    remove this incomplete time directory, make room and "
-            << "restart from the latest time."
+            << "    The disk may be full or the folder not writable. The "
+            << "particles of this time are removed," << nl
+            << "    times written before are intact: make room and restart "
+            << "from the latest time."
             << exit(FatalError);
     }
+}
+
+
+static void writeChecked(const regIOobject& object)
+{
+    writeChecked
+    (
+        object, object.time().writeFormat(), IOstream::defaultPrecision()
+    );
+}
+
+
+[[noreturn]] static void stopAtDamage
+(
+    const fileName& path,
+    const label line,
+    const string& what
+)
+{
+    FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, path, line)
+        << "The particles of a time to start from are damaged or not all "
+        << "there:" << nl << "    " << what.c_str() << nl
+        << "    Remove this time directory and restart from the one before."
+        << exit(FatalIOError);
+
+    ::abort();
+}
+
+
+//- Call a function that reads a file of the cloud, with clear errors
+template<class Reader>
+static auto readWhole(const fileName& path, const Reader& reader)
+{
+    label line = -1;
+    string what;
+    try
+    {
+        const errorsThrown guarded;
+        return reader();
+    }
+    catch (const IOerror& err)
+    {
+        line = err.ioStartLineNumber();
+        what = err.message();
+    }
+    catch (const Foam::error& err)
+    {
+        what = err.message();
+    }
+    stopAtDamage(path, line, what);
 }
 
 
@@ -58,23 +164,36 @@ static IOField<Type> readField
     const label n
 )
 {
-    IOField<Type> field
+    const IOobject object
     (
-        IOobject
+        name, instance, registry, IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    const IOField<Type> field
+    (
+        readWhole
         (
-            name, instance, registry, IOobject::MUST_READ, IOobject::NO_WRITE,
-            false
+            object.objectPath(), [&]() { return IOField<Type>(object); }
         )
     );
     if (field.size() != n)
     {
-        FatalErrorInFunction
-            << "File " << field.objectPath() << " holds " << field.size()
-            << " values for the " << n << " particles of positions." << nl
-            << "    Restart from another time directory."
-            << exit(FatalError);
+        stopAtDamage
+        (
+            field.objectPath(),
+            -1,
+            Foam::name(field.size()) + " values for the " + Foam::name(n)
+          + " particles of positions"
+        );
     }
     return field;
+}
+
+
+//- Comparing one that is not finite would trap
+static bool finite(const vector& v)
+{
+    return
+        std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
 
 
@@ -191,13 +310,56 @@ bool Foam::ulphCloud::found(const fvMesh& mesh, const word& instance)
 }
 
 
+void Foam::ulphCloud::checkProperties
+(
+    const word& instance,
+    const label n
+) const
+{
+    // Written last: without it a time is not whole
+    const dictionary written(readProperties(instance));
+    const label nWritten = written.getOrDefault<label>("nParticles", -1);
+    if (nWritten != n)
+    {
+        stopAtDamage
+        (
+            propertiesObject(mesh_, instance, IOobject::NO_READ).objectPath(),
+            -1,
+            nWritten < 0
+          ? string("the number of particles is not there")
+          : Foam::name(nWritten) + " particles, but " + Foam::name(n)
+          + " in positions"
+        );
+    }
+
+    const auto refuseChange = [&](const word& name, const scalar now)
+    {
+        const scalar then = written.getOrDefault<scalar>(name, now);
+        if (mag(then - now) > 1e-6*mag(now))
+        {
+            FatalIOErrorInFunction(entryPlace(written, name))
+                << "The particles of time " << instance << " were made for "
+                << name << ' ' << then << ", but now it is " << now
+                << " in constant/ulphProperties." << nl
+                << "    Set it back, or start anew: foamListTimes -rm and "
+                << "remove 0/" << cloud::prefix
+                << exit(FatalIOError);
+        }
+    };
+    refuseChange("dx", dx());
+    refuseChange("rho0", rho0());
+}
+
+
 void Foam::ulphCloud::read(const word& instance)
 {
     pointField positions;
     labelList cells;
-    cloudPositions(*this, instance, positions, cells).readAll();
+    cloudPositions file(*this, instance, positions, cells);
+    readWhole(file.objectPath(), [&]() { file.readAll(); });
 
     const label n = positions.size();
+    checkProperties(instance, n);
     const IOField<vector> U(readField<vector>(*this, "U", instance, n));
     const IOField<scalar> rho1
     (
@@ -206,19 +368,28 @@ void Foam::ulphCloud::read(const word& instance)
     const IOField<scalar> m(readField<scalar>(*this, "mass", instance, n));
     const IOField<label> ids(readField<label>(*this, "origId", instance, n));
 
+    // Ascii rounds
+    boundBox bounds(mesh_.bounds());
+    bounds.inflate(1e-3);
+
     forAll(positions, i)
     {
-        const scalar sum = cmptSum(positions[i]) + cmptSum(U[i]) + rho1[i];
-        if (!std::isfinite(sum) || !(m[i] > 0) || !(rho0() + rho1[i] > 0))
+        const char* const damaged =
+            !finite(positions[i]) || !bounds.contains(positions[i])
+          ? "positions"
+          : !finite(U[i]) ? "U"
+          : !std::isfinite(rho1[i]) || rho0() + rho1[i] <= 0
+          ? "densityExcess"
+          : !std::isfinite(m[i]) || m[i] <= 0 ? "mass"
+          : nullptr;
+
+        if (damaged)
         {
-            FatalErrorInFunction
-                << "Particle " << i << " of time " << instance
-                << " is not usable: position " << positions[i] << ", U "
-                << U[i] << ", densityExcess " << rho1[i] << ", mass " << m[i]
-                << nl
-                << "    A file of " << U.path() << " is corrupt; "
-                << "restart from another time directory."
-                << exit(FatalError);
+            OStringStream what;
+            what<< "particle " << i << " has position " << positions[i]
+                << ", U " << U[i] << ", densityExcess " << rho1[i]
+                << ", mass " << m[i];
+            stopAtDamage(U.path()/damaged, -1, what.str());
         }
     }
 
@@ -313,16 +484,15 @@ void Foam::ulphCloud::write
         }
     }
 
-    const IOdictionary properties
+    // Last: without it a restart takes the time as not whole
+    IOdictionary properties
     (
         propertiesObject(mesh_, time().timeName(), IOobject::NO_READ), extra
     );
-    const fileName path(properties.objectPath());
-    mkDir(path.path());
-    OFstream os(path);
-    os.precision(17);
-    properties.writeHeader(os);
-    properties.writeData(os);
+    properties.add("nParticles", n);
+    properties.add("dx", dx());
+    properties.add("rho0", rho0());
+    writeChecked(properties, IOstream::ASCII, 17);
 }
 
 

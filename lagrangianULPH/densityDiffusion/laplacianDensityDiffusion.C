@@ -6,7 +6,7 @@
 #include "laplacianDensityDiffusion.H"
 #include "addToRunTimeSelectionTable.H"
 #include "symmetric.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,7 +30,7 @@ Foam::densityDiffusions::laplacianDensityDiffusion::laplacianDensityDiffusion
     D_(cloud.D()),
     diffusivity_
     (
-        dict.getCheckOrDefault<scalar>("delta", 0.1, scalarMinMax::ge(0))
+        getInRange(dict, "delta", 0.1, scalarMinMax::ge(0))
        *cloud.h()*cloud.c0()
     )
 {}

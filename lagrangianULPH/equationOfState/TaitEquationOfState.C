@@ -5,7 +5,7 @@
 
 #include "TaitEquationOfState.H"
 #include "addToRunTimeSelectionTable.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,7 +29,7 @@ Foam::equationsOfState::TaitEquationOfState::TaitEquationOfState
     rho0_(cloud.rho0()),
     gamma_
     (
-        dict.getCheckOrDefault<scalar>("gamma", 7, scalarMinMax::ge(SMALL))
+        getInRange(dict, "gamma", 7, scalarMinMax::ge(SMALL))
     ),
     stiffness_(rho0_*sqr(cloud.c0())/gamma_)
 {}

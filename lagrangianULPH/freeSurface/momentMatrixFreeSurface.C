@@ -7,7 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "momentTensor.H"
 #include "neighbourSearch.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ Foam::scalar Foam::freeSurfaces::momentMatrixFreeSurface::threshold
     const scalar hByDx = cloud.h()/cloud.dx();
     if (!dict.found(name) && (hByDx < 1.49 || hByDx > 2.51))
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(entryPlace(dict.parent(), "hByDx"))
             << "No threshold of lambda is known for h/dx = " << hByDx
             << ", only for 1.5 to 2.5." << nl
             << "    Set hByDx to 2, or give freeSurface { type momentMatrix; "
@@ -45,7 +45,7 @@ Foam::scalar Foam::freeSurfaces::momentMatrixFreeSurface::threshold
             << exit(FatalIOError);
     }
     return
-        dict.getCheckOrDefault<scalar>(name, fraction, scalarMinMax(0, 1))
+        getInRange(dict, name, fraction, scalarMinMax(0, 1))
        *cloud.shared().beta/sqr(cloud.dx());
 }
 

@@ -5,6 +5,7 @@
 
 #include "fluidLattice.H"
 #include "initialField.H"
+#include "inputChecks.H"
 #include "particleLattice.H"
 #include "pointGrid.H"
 #include "regionSelection.H"
@@ -45,7 +46,7 @@ Foam::scalar Foam::fluidLattice::spacing
 
     if (!(dx > 0) || dx > GREAT)
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(entryPlace(dict, "dx"))
             << "The particle spacing dx must be a length above zero [m], not "
             << dx << exit(FatalIOError);
     }
@@ -56,7 +57,7 @@ Foam::scalar Foam::fluidLattice::spacing
     {
         if (mesh.geometricD()[d] > 0 && dx > span[d])
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInFunction(entryPlace(dict, "dx"))
                 << "The particle spacing dx " << dx
                 << " is larger than the mesh, whose sides are " << span
                 << " m." << nl
@@ -74,6 +75,13 @@ Foam::scalar Foam::fluidLattice::spacing
 
 void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
 {
+    // Those of its source stand beside them
+    refuseMisspelt
+    (
+        regionDict,
+        {"source", "sourceInfo", "field", "lattice", "velocity", "pressure"}
+    );
+
     const regionSelection region(mesh_, regionDict);
     const autoPtr<particleLattice> lattice =
         particleLattice::New(regionDict, search_, dx_);

@@ -5,6 +5,7 @@
 
 #include "regionSelection.H"
 #include "cellSet.H"
+#include "inputChecks.H"
 #include "pointSet.H"
 #include "topoSetSource.H"
 #include "volFields.H"
@@ -116,7 +117,7 @@ void Foam::regionSelection::selectFromField(const word& fieldName)
 
     if (!header.typeHeaderOk<volScalarField>(true))
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInFunction(entryPlace(dict_, "field"))
             << "There is no volScalarField " << header.objectPath() << nl
             << "    Make it (for instance with setFields), or choose the"
             << " region by a source"
@@ -226,7 +227,7 @@ Foam::regionSelection::regionSelection
 
     if (!valid.found(source))
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(entryPlace(dict, "source"))
             << "Unknown source " << source << " of region " << dict.dictName()
             << nl << nl
             << "Valid sources (those for points are exact, those for cells"

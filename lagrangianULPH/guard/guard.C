@@ -5,8 +5,32 @@
 
 #include "guard.H"
 
-#include "MinMax.H"
+#include "inputChecks.H"
 #include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static scalar bound
+(
+    const dictionary& ulphProperties,
+    const word& name,
+    const scalar deflt,
+    const scalarMinMax& range
+)
+{
+    const dictionary dict(ulphProperties.subOrEmptyDict("guard"));
+    refuseMisspelt
+    (
+        dict, {"maxMach", "maxDensityError", "minDeltaTFraction", "maxEscaped"}
+    );
+    return getInRange(dict, name, deflt, range);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -71,31 +95,19 @@ Foam::guard::guard
     cloud_(cloud),
     maxMach_
     (
-        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
-        (
-            "maxMach", 1, scalarMinMax::ge(0)
-        )
+        bound(ulphProperties, "maxMach", 1, scalarMinMax::ge(0))
     ),
     maxDensityError_
     (
-        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
-        (
-            "maxDensityError", 0.3, scalarMinMax(0, 0.9)
-        )
+        bound(ulphProperties, "maxDensityError", 0.3, scalarMinMax(0, 0.9))
     ),
     minDeltaTFraction_
     (
-        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<scalar>
-        (
-            "minDeltaTFraction", 1e-3, scalarMinMax(0, 1)
-        )
+        bound(ulphProperties, "minDeltaTFraction", 1e-3, scalarMinMax(0, 1))
     ),
     maxEscaped_
     (
-        ulphProperties.subOrEmptyDict("guard").getCheckOrDefault<label>
-        (
-            "maxEscaped", 0, labelMinMax::ge(0)
-        )
+        label(bound(ulphProperties, "maxEscaped", 0, scalarMinMax(0, labelMax)))
     ),
     write_(write)
 {}

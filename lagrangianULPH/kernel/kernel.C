@@ -5,7 +5,7 @@
 
 #include "kernel.H"
 
-#include "MinMax.H"
+#include "inputChecks.H"
 #include "wordList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -24,7 +24,7 @@ static word knownKernel(const dictionary& dict)
     }
     if (!valid.found(name))
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(entryPlace(dict, "kernel"))
             << "Unknown kernel type " << name << nl << nl
             << "Valid kernel types are" << nl << valid << nl
             << exit(FatalIOError);
@@ -42,7 +42,7 @@ Foam::kernel::kernel(const dictionary& dict, const int D, const scalar dx)
     name_(knownKernel(dict)),
     D_(D),
     dx_(dx),
-    h_(dx*dict.getCheckOrDefault<scalar>("hByDx", 2, scalarMinMax(1, 4)))
+    h_(dx*getInRange(dict, "hByDx", 2, scalarMinMax(1, 4)))
 {}
 
 

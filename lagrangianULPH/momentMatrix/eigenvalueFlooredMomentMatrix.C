@@ -6,7 +6,7 @@
 #include "eigenvalueFlooredMomentMatrix.H"
 #include "addToRunTimeSelectionTable.H"
 #include "momentTensor.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,9 +30,9 @@ Foam::momentMatrices::eigenvalueFlooredMomentMatrix::eigenvalueFlooredMomentMatr
     momentMatrix(cloud),
     floor_
     (
-        beta_*dict.getCheckOrDefault<scalar>
+        beta_*getInRange
         (
-            "floor", 0.5, scalarMinMax(SMALL, 1)
+            dict, "floor", 0.5, scalarMinMax(SMALL, 1)
         )
     )
 {}

@@ -33,7 +33,7 @@ void Foam::neighbourSearch::build()
     const scalar longest = 8*cloud_.dx();
 
     cloud_.permute(fluidGrid_.sort(cloud_.view()));
-    wall_.update(fluidGrid_, reach);
+    wall_.update(fluidGrid_, reach + farthest_);
     wall_.permute(wallGrid_.sort(wall_.view()));
 
     const ulph::clusterList::sourceGroup fluid
@@ -71,18 +71,12 @@ Foam::neighbourSearch::neighbourSearch
     wall_(wall),
     sums_(weight.sums(cloud.shared().mixed)),
     skin_(skin*cloud.dx()),
+    farthest_(2*cloud.dx()),
     cells_(makeCells(cloud, 2*cloud.dx())),
     fluidGrid_(cells_),
     wallGrid_(cells_),
     motion_(makeCells(cloud, 2*cloud.h() + skin_))
-{
-    std::array<double, 3> upper(cells_->lower());
-    for (int k = 0; k < cloud.D(); ++k)
-    {
-        upper[k] += cells_->extent(k)*cells_->size();
-    }
-    sums_->setFrame(cells_->lower(), upper);
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -115,7 +109,7 @@ bool Foam::neighbourSearch::contains() const
 
 bool Foam::neighbourSearch::update()
 {
-    if (valid_ && !motion_.exceeds(cloud_.view(), skin_))
+    if (valid_ && !motion_.exceeds(cloud_.view(), skin_, farthest_))
     {
         return false;
     }

@@ -126,7 +126,12 @@ void motionBound::spread(const int d)
     }
 }
 
-bool motionBound::exceeds(const particleView& moving, const double limit)
+bool motionBound::exceeds
+(
+    const particleView& moving,
+    const double limit,
+    const double farthest
+)
 {
     collect(moving);
     for (int d = 0; d < moving.D; ++d)
@@ -134,6 +139,7 @@ bool motionBound::exceeds(const particleView& moving, const double limit)
         spread(d);
     }
 
+    double largest = 0;
     double largest2 = 0;
     for (const range& r : ranges_)
     {
@@ -142,10 +148,15 @@ bool motionBound::exceeds(const particleView& moving, const double limit)
         {
             const double d = double(r.upper[k]) - double(r.lower[k]);
             length2 += d > 0 ? d*d : 0;
+            if (d >= 0)
+            {
+                largest = std::max(largest, double(-r.lower[k]));
+                largest = std::max(largest, double(r.upper[k]));
+            }
         }
         largest2 = std::max(largest2, length2);
     }
-    return largest2 > limit*limit;
+    return largest2 > limit*limit || largest > farthest;
 }
 
 std::size_t motionBound::bytes() const

@@ -5,6 +5,7 @@
 
 #include "ulphModels.H"
 
+#include "inputChecks.H"
 #include "IOobject.H"
 #include "IStringStream.H"
 #include "wallPolyPatch.H"
@@ -105,7 +106,7 @@ Foam::ulphModels::ulphModels
 {
     if (moment->needsSurface() && surface->off())
     {
-        FatalIOErrorInFunction(ulphProperties)
+        FatalIOErrorInFunction(entryPlace(ulphProperties, "freeSurface"))
             << "momentMatrix " << moment->model()
             << " depends on the free surface, but freeSurface is none." << nl
             << "    Set freeSurface momentMatrix; or choose another "
@@ -147,7 +148,7 @@ Foam::dictionary Foam::ulphModels::complete
     }
     else
     {
-        FatalIOErrorInFunction(ulphProperties)
+        FatalIOErrorInFunction(entryPlace(ulphProperties, "mode"))
             << "Unknown mode " << mode << nl << nl
             << "Valid modes are" << nl
             << wordList({"default", "paper"}) << nl

@@ -5,7 +5,7 @@
 
 #include "FickianShifting.H"
 #include "addToRunTimeSelectionTable.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -28,7 +28,7 @@ Foam::shiftings::FickianShifting::FickianShifting
 :
     shifting
     (
-        dict.getCheckOrDefault<scalar>("C", 2, scalarMinMax::ge(0)),
+        getInRange(dict, "C", 2, scalarMinMax::ge(0)),
         cloud
     ),
     scale_(cloud.h()/cloud.shared().beta)

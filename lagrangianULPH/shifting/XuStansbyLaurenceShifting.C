@@ -5,7 +5,7 @@
 
 #include "XuStansbyLaurenceShifting.H"
 #include "addToRunTimeSelectionTable.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -28,7 +28,7 @@ Foam::shiftings::XuStansbyLaurenceShifting::XuStansbyLaurenceShifting
 :
     shifting
     (
-        dict.getCheckOrDefault<scalar>("C", 0.04, scalarMinMax::ge(0)),
+        getInRange(dict, "C", 0.04, scalarMinMax::ge(0)),
         cloud
     )
 {}

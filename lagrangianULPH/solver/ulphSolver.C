@@ -6,7 +6,7 @@
 #include "ulphSolver.H"
 
 #include "fluidLattice.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 #include "Time.H"
 
 #include <omp.h>
@@ -22,15 +22,19 @@ Foam::IOobject Foam::ulphSolver::meshObject(const Time& time)
 }
 
 
-void Foam::ulphSolver::refuseParallel()
+void Foam::ulphSolver::refuseParallel(const int argc, char* const argv[])
 {
-    if (Pstream::parRun())
+    // Before argList asks for a decomposition that would not help
+    for (int i = 1; i < argc; ++i)
     {
-        FatalErrorInFunction
-            << "ulphFoam does not run in parallel by MPI yet." << nl
-            << "    Use threads: OMP_NUM_THREADS=" << Pstream::nProcs()
-            << " ulphFoam"
-            << exit(FatalError);
+        if (string(argv[i]) == "-parallel")
+        {
+            FatalErrorInFunction
+                << "ulphFoam does not run in parallel by MPI yet." << nl
+                << "    Leave out mpirun and -parallel and use threads:"
+                << " OMP_NUM_THREADS=2 ulphFoam"
+                << exit(FatalError);
+        }
     }
 }
 
@@ -47,7 +51,7 @@ Foam::ulphCloud::properties Foam::ulphSolver::shared
     const word precision(dict.getOrDefault<word>("precision", "mixed"));
     if (precision != "mixed" && precision != "double")
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(entryPlace(dict, "precision"))
             << "Unknown precision " << precision << nl << nl
             << "Valid precisions are" << nl
             << wordList({"double", "mixed"}) << nl
@@ -57,11 +61,50 @@ Foam::ulphCloud::properties Foam::ulphSolver::shared
     ulphCloud::properties p;
     p.dx = dx;
     p.h = weight.h();
-    p.rho0 = dict.getCheck<scalar>("rho0", scalarMinMax::ge(SMALL));
-    p.c0 = dict.getCheck<scalar>("c0", scalarMinMax::ge(SMALL));
+    p.rho0 = getInRange(dict, "rho0", scalarMinMax::ge(SMALL));
+    p.c0 = getInRange(dict, "c0", scalarMinMax::ge(SMALL));
     p.beta = weight.latticeMoment();
     p.mixed = precision == "mixed";
     return p;
+}
+
+
+void Foam::ulphSolver::checkKeywords()
+{
+    wordList valid
+    ({
+        "mode", "dx", "rho0", "c0", "precision", "fields", "skin", "regions",
+        "guard", "kernel", "hByDx"
+    });
+    for (const effect& e : models_.all())
+    {
+        valid.append(e.family());
+    }
+    refuseMisspelt(properties_, valid);
+    warnOfUnknown(properties_, valid);
+}
+
+
+void Foam::ulphSolver::refuseLostParticles() const
+{
+    for (const instant& earlier : time_.times())
+    {
+        if
+        (
+            earlier.value() < time_.value()
+         && ulphCloud::found(mesh_, earlier.name())
+        )
+        {
+            FatalErrorInFunction
+                << "There are no particles in "
+                << time_.timePath()/cloud::prefix/cloud_.name()
+                << ", though there are in earlier times such as "
+                << earlier.name() << '.' << nl
+                << "    Remove the folder " << time_.timePath()
+                << " and restart from the time before it."
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -81,9 +124,12 @@ void Foam::ulphSolver::makeParticles()
             time_.timeIndex()
         );
         Info<< "Read " << cloud_.size() << " particles of time "
-            << time_.timeName() << nl << endl;
+            << time_.timeName() << "; nothing is filled into regions" << nl
+            << endl;
         return;
     }
+
+    refuseLostParticles();
 
     const fluidLattice lattice(mesh_, search_, properties_);
 
@@ -114,8 +160,9 @@ void Foam::ulphSolver::limitThreads() const
 
 Foam::scalar Foam::ulphSolver::maxCo() const
 {
-    return time_.controlDict().getCheckOrDefault<scalar>
+    return getInRange
     (
+        time_.controlDict(),
         "maxCo",
         models_.integration->defaultMaxCo(),
         scalarMinMax::ge(SMALL)
@@ -185,7 +232,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
         cloud_,
         wall_,
         kernel_,
-        properties_.getCheckOrDefault<scalar>("skin", 0.2, scalarMinMax(0, 2))
+        getInRange(properties_, "skin", 0.2, scalarMinMax(0, 2))
     ),
     contact_(cloud_, search_),
     schedule_(models_, cloud_),
@@ -201,6 +248,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     (
         [this](const scalar rho1) { return models_.state->pressure(rho1); }
     );
+    checkKeywords();
     makeParticles();
 
     limitThreads();
@@ -233,14 +281,20 @@ void Foam::ulphSolver::setDeltaT()
             min
             (
                 stableDeltaT(maxCo()),
-                time_.controlDict().getOrDefault<scalar>("maxDeltaT", GREAT)
+                getInRange
+                (
+                    time_.controlDict(),
+                    "maxDeltaT",
+                    GREAT,
+                    scalarMinMax::ge(SMALL)
+                )
             )
         );
-    }
-    // The step to a write time comes from differences of times that a restart
-    // takes from another start: in float it is the same
-    time_.setDeltaT(scalar(float(time_.deltaTValue())), false);
 
+        // The step to a write time comes from differences of times that a
+        // restart takes from another start: in float it is the same
+        time_.setDeltaT(scalar(float(time_.deltaTValue())), false);
+    }
     guard_.checkDeltaT(time_.deltaTValue(), cloud_.h()/cloud_.c0());
 }
 
@@ -289,7 +343,6 @@ void Foam::ulphSolver::removeEscaped()
 void Foam::ulphSolver::writeCloud() const
 {
     dictionary extra;
-    extra.add("nParticles", cloud_.size());
     extra.add("time", time_.value());
     extra.add("maxAcceleration", tools_->maxAcceleration());
     cloud_.write(locator_, locator_.find(cloud_.positions()), extra);

@@ -5,7 +5,7 @@
 
 #include "artificialViscosity.H"
 #include "addToRunTimeSelectionTable.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -28,7 +28,7 @@ Foam::viscosities::artificialViscosity::artificialViscosity
 :
     mu_
     (
-        dict.getCheck<scalar>("alpha", scalarMinMax::ge(0))
+        getInRange(dict, "alpha", scalarMinMax::ge(0))
        *cloud.h()*cloud.c0()*cloud.rho0()
     ),
     symmetric_(dict.getOrDefault("symmetric", true))

@@ -5,7 +5,7 @@
 
 #include "laminarViscosity.H"
 #include "addToRunTimeSelectionTable.H"
-#include "MinMax.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -28,7 +28,7 @@ Foam::viscosities::laminarViscosity::laminarViscosity
 :
     mu_
     (
-        dict.getCheck<scalar>("nu", scalarMinMax::ge(0))
+        getInRange(dict, "nu", scalarMinMax::ge(0))
        *2*(cloud.D() + 2)*cloud.rho0()
     ),
     symmetric_(dict.getOrDefault("symmetric", true))

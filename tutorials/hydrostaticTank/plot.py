@@ -18,7 +18,7 @@ def histories(tanks, file):
     for number, tank in enumerate(tanks):
         look = {"color": f"C{number}", "label": tank.name}
         columns[0].semilogy(tank.times[1:], tank.energy[1:], **look)
-        columns[1].semilogy(tank.times, tank.pressure, **look)
+        columns[1].semilogy(tank.times[1:], tank.pressure[1:], **look)
         columns[2].plot(tank.times, tank.drift * 1e3, **look)
     for axes, upright, other, title in zip(
         columns,
@@ -31,7 +31,7 @@ def histories(tanks, file):
             axes.axhline(upright, color="C0", ls=":", lw=1)
             axes.axhline(other, color="0.5", ls=":", lw=1)
     columns[2].set(title="centroid drift/H, in thousandths", ylim=(-2.2, 2.2))
-    columns[0].legend()
+    columns[2].legend()
     savePicture(figure, file)
 
 
