@@ -82,6 +82,23 @@ void Foam::ulphSolver::checkKeywords()
     }
     refuseMisspelt(properties_, valid);
     warnOfUnknown(properties_, valid);
+
+    wordList names(cloud_.derivedNames());
+    names.append({"U", "p", "rho"});
+    for
+    (
+        const wordRe& chosen
+      : properties_.getOrDefault("fields", List<wordRe>())
+    )
+    {
+        if (wordRes(1, chosen).matching(names).empty())
+        {
+            IOWarningInFunction(entryPlace(properties_, "fields"))
+                << "No field to write is called " << chosen
+                << " with the effects that are on" << nl << nl
+                << "Valid fields are" << nl << flatOutput(names) << nl << endl;
+        }
+    }
 }
 
 

@@ -42,10 +42,14 @@ static double fma()
     {
         lanes sum[chains] = {};
         lanes factor = lanes{} + Real(0.5);
+        for (lanes& s : sum)
+        {
+            // Else the compiler sees that the chains are all the same
+            asm volatile("" : "+x"(s));
+        }
         const double start = seconds();
         for (int i = 0; i < steps; ++i)
         {
-            // The compiler must neither merge nor drop the steps
             asm volatile("" : "+x"(factor));
             #pragma GCC unroll 12
             for (int c = 0; c < chains; ++c)

@@ -30,6 +30,7 @@ int main(int argc, char* argv[])
     } groups[] =
     {
         {"tensor", tensorChecks},
+        {"kernel", kernelChecks},
         {"list", listChecks},
         {"pairSum", pairSumChecks},
         {"operator", operatorChecks},

@@ -119,12 +119,12 @@ static void literalChecks(tally& t, const scene& where, const bool mixed)
 }
 
 
-//- Move every particle
-static void move(rig& library, const std::function<vec()>& displacement)
+//- Move every particle; the displacement is a function of its number
+static void move(rig& library, const std::function<vec(int)>& displacement)
 {
     for (int i = 0; i < library.size(); ++i)
     {
-        const vec d(displacement());
+        const vec d(displacement(library.cloud.origId()[i]));
         for (int k = 0; k < library.cloud.D(); ++k)
         {
             library.cloud.x().component(k)[i] += d[k];
@@ -133,7 +133,8 @@ static void move(rig& library, const std::function<vec()>& displacement)
 }
 
 
-//- The lists hold as long as the skin allows, and no longer
+//- The lists hold as long as no two particles move by the skin relative to each
+//- other, and no longer
 static void skinChecks(tally& t, const scene& where)
 {
     const testCase room(where.name);
@@ -141,21 +142,18 @@ static void skinChecks(tally& t, const scene& where)
     rig library(room, where.properties(false) + choice.properties, where.state);
     library.evaluate();
 
-    randomVectors random(where.D, 13);
-    const scalar skin = library.neighbours.skin();
+    vec along(vec::Zero());
+    along.head(where.D).setConstant(1/std::sqrt(scalar(where.D)));
     for (const int nBuilds : {1, 2})
     {
+        // To 0.98, then to 1.1 of the skin, odd against even numbers
+        const vec step
+        (
+            (nBuilds == 1 ? 0.49 : 0.06)*library.neighbours.skin()*along
+        );
         move
         (
-            library,
-            [&]()
-            {
-                return vec
-                (
-                    (nBuilds == 1 ? 0.2 : 0.7)*skin
-                   *random.vector(1).normalized()
-                );
-            }
+            library, [&](int number) { return number % 2 ? step : vec(-step); }
         );
         library.evaluate();
 
@@ -187,7 +185,7 @@ static void fallChecks(tally& t)
 
     for (int i = 0; i < 30; ++i)
     {
-        move(library, [&]() { return vec(0, -0.25*where.dx, 0); });
+        move(library, [&](int) { return vec(0, -0.25*where.dx, 0); });
         library.rates.updateNeighbours();
     }
     library.evaluate();

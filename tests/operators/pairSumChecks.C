@@ -205,33 +205,6 @@ static void compare
     }
 }
 
-
-//- The kernel's integral and its values against the literature
-static void kernelCheck
-(
-    tally& t,
-    const std::string& kernel,
-    const int D,
-    const ulph::pairSums& sums,
-    const double h
-)
-{
-    const double pi = 3.14159265358979323846;
-    const int n = 20000;
-    double integral = 0;
-    deviation error;
-    for (int i = 0; i < n; ++i)
-    {
-        const double r = (i + 0.5)*2*h/n;
-        integral +=
-            sums.weight(r)*(D == 2 ? 2*pi*r : 4*pi*r*r)*2*h/n;
-        error.add(sums.weight(r), literatureKernel(kernel, D, h, r));
-    }
-    t.check(kernel + " integral", std::abs(integral - 1), 1e-8);
-    t.check(kernel + " values", error.relative(), 1e-14);
-    t.check(kernel + " beyond 2h", sums.weight(2.001*h), 0.0);
-}
-
 } // End namespace Foam
 
 
@@ -284,10 +257,6 @@ void Foam::pairSumChecks(tally& t)
                     (
                         t, what, rig, *sums, kernel, h, mixed ? 2e-6 : 1e-12
                     );
-                    if (!spray && !mixed)
-                    {
-                        kernelCheck(t, kernel, D, *sums, h);
-                    }
                 }
             }
         }
