@@ -384,6 +384,22 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::release
 }
 
 
+void Foam::freeSurfaces::momentMatrixFreeSurface::keepInside
+(
+    const label first,
+    const label count,
+    ulph::laneRow& values
+) const
+{
+    ulph::laneRow surface;
+    class_->load(0, first, count, surface);
+    for (label l = 0; l < count; ++l)
+    {
+        values[l] = surface[l] == interior ? values[l] : 0;
+    }
+}
+
+
 void Foam::freeSurfaces::momentMatrixFreeSurface::report(Ostream& os) const
 {
     os  << "    freeSurface: pressure of a splash particle set to zero "

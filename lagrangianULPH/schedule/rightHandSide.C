@@ -125,7 +125,7 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
         ledger::section timer(ledger_, "geometryPass");
         geometrySink sink
         (
-            cloud_, models_, surfaceFirst, sums & ulph::laplacianSums
+            cloud_, models_, t, surfaceFirst, sums & ulph::laplacianSums
         );
         search_.sums().geometry(search_.fluidList(), {}, sums, sink);
     }

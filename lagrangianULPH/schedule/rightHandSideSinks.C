@@ -45,12 +45,15 @@ Foam::geometrySink::geometrySink
 (
     ulphCloud& cloud,
     ulphModels& models,
+    const scalar t,
     const bool surfaceKnown,
     const bool laplacian
 )
 :
+    cloud_(cloud),
     D_(cloud.D()),
     models_(models),
+    t_(t),
     surfaceKnown_(surfaceKnown),
     laplacian_(laplacian),
     K_(*cloud.derived("inverseMoment")),
@@ -60,8 +63,32 @@ Foam::geometrySink::geometrySink
     lambda_(cloud.derived("lambda")),
     gradient_(cloud.derived("densityGradient")),
     diffusion_(cloud.derived("densityDiffusion")),
+    relaxation_(cloud.derived("densityRelaxation")),
     shift_(cloud.derived("shift"))
 {}
+
+
+void Foam::geometrySink::hydrostaticGradient
+(
+    const label first,
+    const label n,
+    ulph::laneRow* gradient
+) const
+{
+    const scalar scale = cloud_.rho0()/sqr(cloud_.c0());
+    vector f(models_.force->acceleration(Zero, t_));
+    for (label l = 0; l < n; ++l)
+    {
+        if (!models_.force->uniform())
+        {
+            f = models_.force->acceleration(cloud_.position(first + l), t_);
+        }
+        for (int k = 0; k < D_; ++k)
+        {
+            gradient[k][l] = scale*f[cloud_.axis(k)];
+        }
+    }
+}
 
 
 void Foam::geometrySink::take(const ulph::geometryBlock& sums)
@@ -94,11 +121,24 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
             gradient_->store(sums.first, sums.count, gradient);
             models_.diffusion->addGradientRate(sums, K, gradient, rate);
         }
+        else if (models_.diffusion->hydrostatic())
+        {
+            ulph::laneRow gradient[3];
+            hydrostaticGradient(sums.first, sums.count, gradient);
+            models_.diffusion->addGradientRate(sums, K, gradient, rate);
+        }
         if (laplacian_)
         {
             models_.diffusion->addLaplacianRate(sums, K, rate);
         }
         diffusion_->store(0, sums.first, sums.count, rate);
+    }
+
+    if (relaxation_)
+    {
+        ulph::laneRow rate;
+        models_.relaxation->rate(sums, rate);
+        relaxation_->store(0, sums.first, sums.count, rate);
     }
 
     if (shift_)

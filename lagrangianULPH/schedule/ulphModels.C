@@ -51,6 +51,7 @@ static const char* const defaultMode =
     "momentMatrix       { type eigenvalueFloored; floor 0.5; }"
     "freeSurface        momentMatrix;"
     "densityDiffusion   { type ULPH; delta 0.1; }"
+    "densityRelaxation  none;"
     "shifting           { type Fickian; C 2; }"
     "wall               slip;"
     "timeIntegration    driftKickDrift;";
@@ -60,6 +61,7 @@ static const char* const paperMode =
     "momentMatrix       optimal;"
     "freeSurface        momentMatrix;"
     "densityDiffusion   { type ULPH; delta 0.1; }"
+    "densityRelaxation  none;"
     "shifting           { type XuStansbyLaurence; C 0.04; }"
     "viscosity          { type artificial; alpha 0.1; symmetric no; }"
     "wall               slip;"
@@ -98,6 +100,7 @@ Foam::ulphModels::ulphModels
     moment(momentMatrix::New(dict, cloud)),
     surface(freeSurface::New(dict, cloud)),
     diffusion(densityDiffusion::New(dict, cloud)),
+    relaxation(densityRelaxation::New(dict, cloud)),
     shift(shifting::New(dict, cloud)),
     viscous(viscosity::New(dict, cloud)),
     force(bodyForce::New(dict, cloud)),
@@ -167,8 +170,8 @@ Foam::UPtrList<Foam::effect> Foam::ulphModels::all()
     effect* const models[] =
     {
         state.get(), moment.get(), surface.get(), diffusion.get(),
-        shift.get(), viscous.get(), force.get(), boundary.get(),
-        integration.get()
+        relaxation.get(), shift.get(), viscous.get(), force.get(),
+        boundary.get(), integration.get()
     };
 
     UPtrList<effect> list(label(std::size(models)));

@@ -83,8 +83,8 @@ void Foam::ulphSolver::checkKeywords()
     refuseMisspelt(properties_, valid);
     warnOfUnknown(properties_, valid);
 
-    wordList names(cloud_.derivedNames());
-    names.append({"U", "p", "rho"});
+    wordList names({"U", "p", "rho"});
+    names.append(cloud_.derivedNames());
     for
     (
         const wordRe& chosen

@@ -137,7 +137,9 @@ void Foam::stepTools::advanceDensity
     ulphCloud& cloud = rates_.cloud();
     const particleField& divergence = *cloud.derived("divergence");
     const particleField* const diffusion = cloud.derived("densityDiffusion");
+    const particleField* const relaxation = cloud.derived("densityRelaxation");
     const bool diffuse = diffusion && dtDiffusion > 0;
+    const bool relax = relaxation && dtDiffusion > 0;
     const freeSurface& surface = *rates_.models().surface;
     const scalar rho0 = cloud.rho0();
     double* const rho1 = cloud.densityExcess().component(0);
@@ -156,6 +158,16 @@ void Foam::stepTools::advanceDensity
         if (diffuse)
         {
             diffusion->load(0, first, n, rate);
+        }
+        if (relax)
+        {
+            ulph::laneRow towards;
+            relaxation->load(0, first, n, towards);
+            surface.keepInside(first, n, towards);
+            for (label l = 0; l < n; ++l)
+            {
+                rate[l] += towards[l];
+            }
         }
         for (label l = 0; l < n; ++l)
         {
