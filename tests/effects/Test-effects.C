@@ -59,7 +59,7 @@ static const effectCase cases[] =
     {
         "allNone",
         "densityDiffusion none; shifting none; viscosity none;"
-        "freeSurface none; bodyForce none;",
+        "freeSurface none; bodyForce none; densityRelaxation none;",
         core, ulph::pressureSums, ""
     },
     {

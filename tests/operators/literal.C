@@ -43,13 +43,24 @@ Foam::literal::literal(const rig& library, const coefficients& c)
     {
         gradients(I);
     }
-    for (particle& I : fluid)
+    const auto bodyForce = [&](const particle& I)
     {
-        rates(I);
-        I.dvdt += rig_.solved
+        return rig_.solved
         (
             library.models.force->acceleration(rig_.unsolved(I.x), 0)
         );
+    };
+    if (c_.hydrostatic)
+    {
+        for (particle& I : fluid)
+        {
+            I.gradRho = rho0_/sqr(c0_)*bodyForce(I);
+        }
+    }
+    for (particle& I : fluid)
+    {
+        rates(I);
+        I.dvdt += bodyForce(I);
     }
 }
 
@@ -165,6 +176,9 @@ void Foam::literal::rates(particle& I) const
 
     I.dvdt = (I.pressureForce + I.viscousForce)/I.rho;
     I.R = sqr(sumR/n)*directions;
+    I.relaxation =
+        c_.relaxation*c0_*rho0_/h_
+       *(I.M.trace()/(D_*rig_.cloud.shared().beta) - 1);
 }
 
 

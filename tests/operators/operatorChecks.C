@@ -47,6 +47,13 @@ static const modelChoice choices[] =
         "paper",
         "mode paper;",
         {0.1, 0.1, false, false, literal::inverse::optimal}
+    },
+    {
+        "hydrostatic",
+        "momentMatrix full; viscosity none;"
+        "densityDiffusion { type hydrostatic; delta 0.1; }"
+        "densityRelaxation { type moment; k 0.01; }",
+        {0.1, 0, true, false, literal::inverse::full, true, 0.01}
     }
 };
 
@@ -65,14 +72,24 @@ static void compare
     const ulphCloud& cloud = library.cloud;
     const bool Fickian = library.models.shift->model() == "Fickian";
 
-    deviation lambda, K, gradRho, div, Phi, dvdt, shift, normal;
+    deviation lambda, K, gradRho, div, Phi, relaxation, dvdt, shift, normal;
     int nNormals = 0;
     for (int i = 0; i < library.size(); ++i)
     {
         const literal::particle& I = exact.fluid[i];
         lambda.add(library.scalarOf("lambda", i), I.lambda);
         K.add(library.tensorOf("inverseMoment", i), I.K);
-        gradRho.add(library.vectorOf("densityGradient", i), I.gradRho);
+        if (library.has("densityGradient"))
+        {
+            gradRho.add(library.vectorOf("densityGradient", i), I.gradRho);
+        }
+        if (library.has("densityRelaxation"))
+        {
+            relaxation.add
+            (
+                library.scalarOf("densityRelaxation", i), I.relaxation
+            );
+        }
         div.add(library.scalarOf("divergence", i), I.div);
         Phi.add(library.scalarOf("densityDiffusion", i), I.Phi);
         dvdt.add(library.vectorOf("acceleration", i), I.dvdt);
@@ -93,6 +110,7 @@ static void compare
     t.check(what + " grad rho", gradRho.relative(), bound);
     t.check(what + " div v", div.relative(), bound);
     t.check(what + " Phi", Phi.relative(), bound);
+    t.check(what + " relaxation", relaxation.relative(), bound);
     t.check(what + " dv/dt", dvdt.relative(), bound);
     t.check(what + " shift", shift.relative(), bound);
     t.check(what + " normals", normal.absolute(), 100*bound);
