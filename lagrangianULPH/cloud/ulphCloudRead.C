@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphCloud.H"
+
+#include "cloudFiles.H"
+#include "cloudPositions.H"
+#include "inputChecks.H"
+#include "StringStream.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Comparing one that is not finite would trap
+static bool finite(const vector& v)
+{
+    return
+        std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::ulphCloud::checkProperties
+(
+    const word& instance,
+    const label n
+) const
+{
+    // Written last: without it a time is not whole
+    const dictionary written(readProperties(instance));
+    const label nWritten = written.getOrDefault<label>("nParticles", -1);
+    if (nWritten != n)
+    {
+        stopAtDamage
+        (
+            cloudPropertiesObject(mesh_, instance, IOobject::NO_READ).objectPath(),
+            -1,
+            nWritten < 0
+          ? string("the number of particles is not there")
+          : Foam::name(nWritten) + " particles, but " + Foam::name(n)
+          + " in positions"
+        );
+    }
+
+    const auto refuseChange = [&](const word& name, const scalar now)
+    {
+        const scalar then = written.getOrDefault<scalar>(name, now);
+        if (mag(then - now) > 1e-6*mag(now))
+        {
+            FatalIOErrorInFunction(entryPlace(written, name))
+                << "The particles of time " << instance << " were made for "
+                << name << ' ' << then << ", but now it is " << now
+                << " in constant/ulphProperties." << nl
+                << "    Set it back, or start anew: foamListTimes -rm and "
+                << "remove 0/" << cloud::prefix
+                << exit(FatalIOError);
+        }
+    };
+    refuseChange("dx", dx());
+    refuseChange("rho0", rho0());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::ulphCloud::found(const fvMesh& mesh, const word& instance)
+{
+    return isFile
+    (
+        mesh.time().path()/instance/cloud::prefix/cloudName/"positions"
+    )
+     || isFile
+    (
+        mesh.time().path()/instance/cloud::prefix/cloudName/"positions.gz"
+    );
+}
+
+
+Foam::dictionary Foam::ulphCloud::readProperties(const word& instance) const
+{
+    IOobject object(cloudPropertiesObject(mesh_, instance, IOobject::MUST_READ));
+    return
+        object.typeHeaderOk<IOdictionary>(false)
+      ? dictionary(IOdictionary(object))
+      : dictionary();
+}
+
+
+void Foam::ulphCloud::read(const word& instance)
+{
+    pointField positions;
+    labelList cells;
+    cloudPositions file(*this, instance, positions, cells);
+    readWhole(file.objectPath(), [&]() { file.readAll(); });
+
+    const label n = positions.size();
+    checkProperties(instance, n);
+    const IOField<vector> U(readField<vector>(*this, "U", instance, n));
+    const IOField<scalar> rho1
+    (
+        readField<scalar>(*this, "densityExcess", instance, n)
+    );
+    const IOField<scalar> m(readField<scalar>(*this, "mass", instance, n));
+    const IOField<label> ids(readField<label>(*this, "origId", instance, n));
+
+    // Ascii rounds
+    boundBox bounds(mesh_.bounds());
+    bounds.inflate(1e-3);
+
+    forAll(positions, i)
+    {
+        const char* const damaged =
+            !finite(positions[i]) || !bounds.contains(positions[i])
+          ? "positions"
+          : !finite(U[i]) ? "U"
+          : !std::isfinite(rho1[i]) || rho0() + rho1[i] <= 0
+          ? "densityExcess"
+          : !std::isfinite(m[i]) || m[i] <= 0 ? "mass"
+          : nullptr;
+
+        if (damaged)
+        {
+            OStringStream what;
+            what<< "particle " << i << " has position " << positions[i]
+                << ", U " << U[i] << ", densityExcess " << rho1[i]
+                << ", mass " << m[i];
+            stopAtDamage(U.path()/damaged, -1, what.str());
+        }
+    }
+
+    set(positions, U, rho1, m);
+    std::copy(ids.begin(), ids.end(), origId_.begin());
+}
+
+
+// ************************************************************************* //
