@@ -92,14 +92,34 @@ Foam::vector Foam::ulphCloud::toVector
 
 ulph::particleView Foam::ulphCloud::view() const
 {
-    ulph::particleView particles;
-    particles.D = D();
+    ulph::particleView particles(totalView());
     particles.n = size_;
+    return particles;
+}
+
+
+ulph::particleView Foam::ulphCloud::haloView() const
+{
+    ulph::particleView images(totalView());
+    images.n = nHalo_;
     for (int k = 0; k < D(); ++k)
     {
-        particles.x[k] = x().component(k);
+        images.x[k] += size_;
     }
-    return particles;
+    return images;
+}
+
+
+ulph::particleView Foam::ulphCloud::totalView() const
+{
+    ulph::particleView all;
+    all.D = D();
+    all.n = total();
+    for (int k = 0; k < D(); ++k)
+    {
+        all.x[k] = x().component(k);
+    }
+    return all;
 }
 
 
@@ -132,7 +152,7 @@ Foam::particleField& Foam::ulphCloud::require
             name,
             new particleField(nComponents, properties_.mixed)
         );
-        derived_[name]->reset(size_);
+        derived_[name]->reset(total());
     }
     return *derived_[name];
 }
@@ -147,7 +167,7 @@ Foam::particleField& Foam::ulphCloud::requireState
     if (!state_.found(name))
     {
         state_.set(name, new particleField(nComponents, false));
-        state_[name]->reset(size_);
+        state_[name]->reset(total());
     }
     return *state_[name];
 }
@@ -191,6 +211,7 @@ void Foam::ulphCloud::set
 )
 {
     size_ = positions.size();
+    nHalo_ = 0;
     for (const word& name : state_.toc())
     {
         state_[name]->reset(size_);
@@ -215,9 +236,9 @@ void Foam::ulphCloud::sizeDerived()
 {
     for (const word& name : derived_.toc())
     {
-        if (derived_[name]->size() != size_)
+        if (derived_[name]->size() != total())
         {
-            derived_[name]->reset(size_);
+            derived_[name]->reset(total());
         }
     }
 }
@@ -239,8 +260,39 @@ void Foam::ulphCloud::permute(const std::vector<int>& order)
 }
 
 
+void Foam::ulphCloud::translate(const label i, const vector& by)
+{
+    for (const char* const name : {"x", "xSaved"})
+    {
+        const auto iter = state_.find(name);
+        if (iter.found())
+        {
+            for (int k = 0; k < D(); ++k)
+            {
+                (*iter)->component(k)[i] += by[axes_[k]];
+            }
+        }
+    }
+}
+
+
+void Foam::ulphCloud::setHalo(const label n)
+{
+    nHalo_ = n;
+    for (HashPtrTable<particleField>* fields : {&state_, &derived_})
+    {
+        for (const word& name : fields->toc())
+        {
+            (*fields)[name]->resize(total());
+        }
+    }
+}
+
+
 void Foam::ulphCloud::remove(const labelHashSet& removed)
 {
+    setHalo(0);
+
     std::vector<int> kept;
     std::vector<label> keptId;
     for (label i = 0; i < size_; ++i)

@@ -65,6 +65,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::normals(neighbourSearch& searc
         }
     };
 
+    search.halo().copy(*lambda_);
     forTiles(lambda_->size(), [&](const label first, const label count)
     {
         ulph::laneRow lambda;
@@ -165,6 +166,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
              || (doubtful(p) && umbrellaEmpty(search, c, p));
         }
     }
+    search.halo().copy(onSurface_);
 }
 
 

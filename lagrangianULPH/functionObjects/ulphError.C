@@ -80,6 +80,31 @@ Foam::functionObjects::ulphError::ulphError
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::functionObjects::ulphError::pressureLevel() const
+{
+    if (!exact_->relativePressure())
+    {
+        return 0;
+    }
+    const ulphCloud& cloud = particles();
+    scalar sum = 0;
+    scalar volume = 0;
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        const scalar rho1 = cloud.densityExcess()(i);
+        const scalar V = cloud.mass()(i)/(cloud.rho0() + rho1);
+        volume += V;
+        sum +=
+            V*(models().state->pressure(rho1) - exact_->p(cloud.position(i)));
+    }
+    reduce(sum, sumOp<scalar>());
+    reduce(volume, sumOp<scalar>());
+    return sum/max(volume, VSMALL);
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::string> Foam::functionObjects::ulphError::remarks() const
@@ -103,6 +128,7 @@ Foam::scalarList Foam::functionObjects::ulphError::row()
     const equationOfState& state = *models().state;
 
     exact_->setTime(time_.value());
+    const scalar level = pressureLevel();
     errorSums U;
     errorSums p;
     for (label i = 0; i < cloud.size(); ++i)
@@ -115,7 +141,7 @@ Foam::scalarList Foam::functionObjects::ulphError::row()
         U.add(V, mag(cloud.toVector(cloud.v(), i) - exactU), mag(exactU));
 
         const scalar exactP = exact_->p(x);
-        p.add(V, mag(state.pressure(rho1) - exactP), exactP);
+        p.add(V, mag(state.pressure(rho1) - level - exactP), exactP);
     }
 
     scalarList values(U.norms());

@@ -34,17 +34,17 @@ Foam::functionObjects::ulphProbes::valuesAt(const point& where) const
 
     Eigen::Matrix4d A(Eigen::Matrix4d::Zero());
     Eigen::Matrix4d sums(Eigen::Matrix4d::Zero());
-    for (label i = 0; i < cloud.size(); ++i)
+    const auto add = [&](const label i, const point& place)
     {
         Eigen::Vector4d b(Eigen::Vector4d::Zero());
         for (int k = 0; k < D; ++k)
         {
-            b[k + 1] = cloud.x()(i, k) - where[cloud.axis(k)];
+            b[k + 1] = cloud.x()(i, k) - place[cloud.axis(k)];
         }
         const scalar r = b.norm();
         if (r >= reach_)
         {
-            continue;
+            return;
         }
         b /= cloud.h();
         b[0] = 1;
@@ -56,6 +56,14 @@ Foam::functionObjects::ulphProbes::valuesAt(const point& where) const
         const Eigen::RowVector4d f(state.pressure(rho1), v.x(), v.y(), v.z());
         A += wV*b*b.transpose();
         sums += wV*b*f;
+    };
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        add(i, where);
+        for (const vector& translation : cyclic_.translations())
+        {
+            add(i, where - translation);
+        }
     }
     for (Eigen::Matrix4d* const matrix : {&A, &sums})
     {
@@ -103,7 +111,8 @@ Foam::functionObjects::ulphProbes::ulphProbes
     const dictionary& dict
 )
 :
-    ulphFunctionObject(name, runTime, dict, typeName)
+    ulphFunctionObject(name, runTime, dict, typeName),
+    cyclic_(mesh_)
 {
     read(dict);
     start();

@@ -67,7 +67,7 @@ Foam::label Foam::guard::firstAbove
     const scalar bound
 ) const
 {
-    for (label i = 0; i < field.size(); ++i)
+    for (label i = 0; i < cloud_.size(); ++i)
     {
         scalar length2 = 0;
         for (int c = 0; c < field.nComponents(); ++c)

@@ -12,6 +12,7 @@ Description
 #include "linearInitialField.H"
 #include "profileInitialField.H"
 #include "codedInitialField.H"
+#include "exactInitialField.H"
 #include "hydrostaticInitialField.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -36,12 +37,14 @@ Description
     makeInitialFieldType(linear, Type)                                         \
     makeInitialFieldType(profile, Type)                                        \
     makeInitialFieldType(coded, Type)                                          \
+    makeInitialFieldType(exact, Type)                                          \
                                                                                \
     template class initialField<Type>;                                         \
     template class initialFields::uniform<Type>;                               \
     template class initialFields::linear<Type>;                                \
     template class initialFields::profile<Type>;                               \
-    template class initialFields::coded<Type>;
+    template class initialFields::coded<Type>;                                 \
+    template class initialFields::exact<Type>;
 
 
 namespace Foam

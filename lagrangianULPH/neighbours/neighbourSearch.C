@@ -32,7 +32,11 @@ void Foam::neighbourSearch::build()
     const scalar reach = 2*cloud_.h() + skin_;
     const scalar longest = 8*cloud_.dx();
 
+    halo_.clear();
+    halo_.wrap();
     cloud_.permute(fluidGrid_.sort(cloud_.view()));
+    // Wall particles in reach of an image see what is in reach of them
+    halo_.make(wall_.any() ? 2*reach : reach);
     wall_.update(fluidGrid_, reach + farthest_);
     wall_.permute(wallGrid_.sort(wall_.view()));
 
@@ -40,18 +44,22 @@ void Foam::neighbourSearch::build()
     {
         &fluidGrid_, cloud_.view(), 0
     };
+    const ulph::clusterList::sourceGroup halo
+    {
+        &halo_.grid(), cloud_.haloView(), cloud_.size()
+    };
     const ulph::clusterList::sourceGroup wall
     {
         &wallGrid_, wall_.view(), firstWall()
     };
 
     const int width = sums_->width();
-    fluidList_.build(fluid, width, reach, longest, fluid, wall);
-    wallList_.build(wall, width, reach, longest, fluid, {});
+    fluidList_.build(fluid, width, reach, longest, {fluid, halo, wall});
+    wallList_.build(wall, width, reach, longest, {fluid, halo, {}});
 
     sums_->resize(firstWall() + wall_.size());
 
-    motion_.reset(cloud_.view(), wall_.view());
+    motion_.reset(cloud_.totalView(), wall_.view());
     valid_ = true;
     ++nBuilds_;
 }
@@ -72,7 +80,9 @@ Foam::neighbourSearch::neighbourSearch
     sums_(weight.sums(cloud.shared().mixed)),
     skin_(skin*cloud.dx()),
     farthest_(2*cloud.dx()),
+    stray_(0.5*cloud.dx()),
     cells_(makeCells(cloud, 2*cloud.dx())),
+    halo_(cloud, cells_),
     fluidGrid_(cells_),
     wallGrid_(cells_),
     motion_(makeCells(cloud, 2*cloud.h() + skin_))
@@ -98,7 +108,8 @@ bool Foam::neighbourSearch::contains() const
             upper = x[i] > upper ? x[i] : upper;
         }
         const direction d = cloud_.axis(k);
-        if (lower < bounds.min()[d] || upper > bounds.max()[d])
+        const scalar slack = halo_.cyclic().repeats(d) ? stray_ : 0;
+        if (lower < bounds.min()[d] - slack || upper > bounds.max()[d] + slack)
         {
             return false;
         }
@@ -107,9 +118,24 @@ bool Foam::neighbourSearch::contains() const
 }
 
 
+void Foam::neighbourSearch::wrap()
+{
+    if (halo_.wrap())
+    {
+        invalidate();
+    }
+}
+
+
 bool Foam::neighbourSearch::update()
 {
-    if (valid_ && !motion_.exceeds(cloud_.view(), skin_, farthest_))
+    halo_.copyPositions();
+    if
+    (
+        valid_
+     && !halo_.strayed(stray_)
+     && !motion_.exceeds(cloud_.totalView(), skin_, farthest_)
+    )
     {
         return false;
     }

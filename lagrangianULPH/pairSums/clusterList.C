@@ -230,8 +230,7 @@ void clusterList::build
     const int width,
     const double reach,
     const double longest,
-    const sourceGroup& fluid,
-    const sourceGroup& wall
+    const sourceGroups& sources
 )
 {
     formClusters(targets, width, longest);
@@ -260,9 +259,10 @@ void clusterList::build
               : listSources<3>(group, b, members, reach, part);
             };
             now.begin = part.size();
-            append(fluid);
+            append(sources.fluid);
+            append(sources.halo);
             now.fluidEnd = part.size();
-            append(wall);
+            append(sources.wall);
             now.end = part.size();
         }
     }

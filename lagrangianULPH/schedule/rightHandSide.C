@@ -10,7 +10,13 @@
 
 void Foam::rightHandSide::packFluid()
 {
-    forTiles(cloud_.size(), [&](const label first, const label count)
+    haloParticles& halo = search_.halo();
+    halo.copyPositions();
+    halo.copy(cloud_.v());
+    halo.copy(cloud_.densityExcess());
+    halo.copy(cloud_.mass());
+
+    forTiles(cloud_.total(), [&](const label first, const label count)
     {
         ulph::geometryTile tile;
         cloud_.x().load(first, count, tile.x);
@@ -142,7 +148,8 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     {
         {
             ledger::section timer(ledger_, "pack");
-            forTiles(cloud_.size(), [&](const label first, const label count)
+            search_.halo().copy(cloud_.densityExcess());
+            forTiles(cloud_.total(), [&](const label first, const label count)
             {
                 ulph::laneRow rho1;
                 cloud_.densityExcess().load(0, first, count, rho1);
@@ -154,10 +161,15 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     {
         ledger::section timer(ledger_, "pack");
 
-        const particleField& K = *cloud_.derived("inverseMoment");
-        const particleField* const gradient = cloud_.derived("densityGradient");
+        particleField& K = *cloud_.derived("inverseMoment");
+        particleField* const gradient = cloud_.derived("densityGradient");
+        search_.halo().copy(K);
+        if (gradient)
+        {
+            search_.halo().copy(*gradient);
+        }
 
-        forTiles(cloud_.size(), [&](const label first, const label count)
+        forTiles(cloud_.total(), [&](const label first, const label count)
         {
             ulph::forceTile tile = {};
             ulph::laneRow rho1;
@@ -183,7 +195,7 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
 
     ledger::section timer(ledger_, "forcePass");
     ulph::viscousSettings viscous;
-    viscous.eta2 = sqr(0.1*cloud_.h());
+    viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
     forceSink sink(cloud_, models_, t);
     search_.sums().force
     (
@@ -196,7 +208,8 @@ void Foam::rightHandSide::divergence()
 {
     {
         ledger::section timer(ledger_, "pack");
-        forTiles(cloud_.size(), [&](const label first, const label count)
+        search_.halo().copy(cloud_.v());
+        forTiles(cloud_.total(), [&](const label first, const label count)
         {
             ulph::laneRow v[3];
             cloud_.v().load(first, count, v);

@@ -75,7 +75,9 @@ Foam::scalar Foam::ulphSolver::stableDeltaT(const scalar maxCo) const
     const scalar nu = models_.viscous->nu(cloud_);
     if (nu > 0)
     {
-        dt = min(dt, 0.125*sqr(h)/nu);
+        // A quarter of what a particle among others stands: no-slip walls and
+        // surfaces make it twice as stiff
+        dt = min(dt, 0.0625*sqr(h)/nu);
     }
     return dt;
 }
@@ -215,6 +217,7 @@ void Foam::ulphSolver::advance()
 
 void Foam::ulphSolver::removeEscaped()
 {
+    neighbours_.wrap();
     const labelList cells(locator_.find(cloud_.positions()));
     DynamicList<label> escaped;
     forAll(cells, i)

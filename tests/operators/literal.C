@@ -138,7 +138,7 @@ void Foam::literal::gradients(particle& I) const
 
 void Foam::literal::rates(particle& I) const
 {
-    const double eta2 = sqr(0.1*h_);
+    const double eta2 = sqr(rig_.models.viscous->eta()*h_);
     const double diffusivity = c_.delta*h_*c0_;
     const double mu = c_.alpha*h_*c0_*rho0_;
 

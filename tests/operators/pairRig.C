@@ -50,8 +50,8 @@ Foam::pairRig::pairRig
     fluid = {fluidGrid_.get(), view(0, sample.nFluid), 0};
     wall = {wallGrid_.get(), view(sample.nFluid, nWall), sample.nFluid};
 
-    fluidList.build(fluid, width, reach, longest, fluid, wall);
-    wallList.build(wall, width, reach, longest, fluid, {});
+    fluidList.build(fluid, width, reach, longest, {fluid, {}, wall});
+    wallList.build(wall, width, reach, longest, {fluid, {}, {}});
 }
 
 
