@@ -54,6 +54,16 @@ static const modelChoice choices[] =
         "densityDiffusion { type hydrostatic; delta 0.1; }"
         "densityRelaxation { type moment; k 0.01; }",
         {0.1, 0, true, false, literal::inverse::full, true, 0.01}
+    },
+    {
+        "Tait, laminar, laplacian",
+        "momentMatrix full;"
+        "equationOfState { type Tait; gamma 7; }"
+        "viscosity { type laminar; nu 0.01; }"
+        "densityDiffusion { type laplacian; delta 0.1; }",
+        {
+            0.1, 0, true, false, literal::inverse::full, false, 0, true, 0.01, 7
+        }
     }
 };
 
