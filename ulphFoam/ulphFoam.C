@@ -15,6 +15,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "sigFpe.H"
 #include "ulphSolver.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -35,6 +36,10 @@ int main(int argc, char *argv[])
     ulphSolver::refuseParallel(argc, argv);
 
     #include "setRootCaseLists.H"
+
+    // The guard finds what is not finite, says where, and writes the state;
+    // OpenFOAM's trap would only end the run
+    sigFpe::unset(true);
 
     // Not createMesh.H: its dry run makes a mesh of one column
     Time runTime(Time::controlDictName, args);

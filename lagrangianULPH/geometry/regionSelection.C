@@ -206,7 +206,7 @@ Foam::regionSelection::regionSelection
     mesh_(mesh),
     dict_(dict)
 {
-    if (dict.found("source") == dict.found("field"))
+    if (!dict.found("source") && !dict.found("field"))
     {
         FatalIOErrorInFunction(dict)
             << "Region " << dict.dictName() << " needs either the entry"
@@ -215,7 +215,8 @@ Foam::regionSelection::regionSelection
             << exit(FatalIOError);
     }
 
-    if (dict.found("field"))
+    // Beside a source it is an entry of that source
+    if (!dict.found("source"))
     {
         selectFromField(dict.get<word>("field"));
         locator_.reset(new cellLocator(mesh));

@@ -115,21 +115,22 @@ Foam::guard::guard
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::guard::checkRate
-(
-    const bool ok,
-    const word& what,
-    const particleField& rate
-) const
+void Foam::guard::checkRates(const bool ok, const wordList& rates) const
 {
-    if (!ok)
+    if (ok)
     {
-        stop
-        (
-            what + " is not finite",
-            firstAbove(rate, GREAT)
-        );
+        return;
     }
+    for (const word& name : rates)
+    {
+        const particleField* const rate = cloud_.derived(name);
+        const label i = rate ? firstAbove(*rate, ROOTVGREAT) : -1;
+        if (i >= 0)
+        {
+            stop(name + " is not finite", i);
+        }
+    }
+    stop("a rate of change is not finite", -1);
 }
 
 

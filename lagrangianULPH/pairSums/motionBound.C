@@ -18,6 +18,17 @@ void motionBound::range::include(const range& other, const int D)
     }
 }
 
+double motionBound::range::extent2(const int D) const
+{
+    double sum = 0;
+    for (int k = 0; k < D; ++k)
+    {
+        const double d = double(upper[k]) - double(lower[k]);
+        sum += d*d;
+    }
+    return sum;
+}
+
 motionBound::motionBound(std::shared_ptr<const cellLayout> cells)
 :
     cells_(std::move(cells))
@@ -43,11 +54,37 @@ void motionBound::reset
     {
         start_[k].assign(moving.x[k], moving.x[k] + moving.n);
     }
+    place_.resize(cells_->nCells(), unoccupied);
     atRest_.assign(cells_->nCells(), 0);
     for (int i = 0; i < atRest.n; ++i)
     {
         atRest_[cellOf(atRest, i)] = 1;
     }
+    anyAtRest_ = atRest.n > 0;
+}
+
+motionBound::range motionBound::overall(const particleView& moving) const
+{
+    range all{};
+    for (int k = 0; k < moving.D; ++k)
+    {
+        const double* const x = moving.x[k];
+        const float* const start = start_[k].data();
+        float lower = std::numeric_limits<float>::max();
+        float upper = -lower;
+
+        #pragma omp parallel for simd schedule(static) \
+            reduction(min : lower) reduction(max : upper)
+        for (int i = 0; i < moving.n; ++i)
+        {
+            const float d = float(x[i] - double(start[i]));
+            lower = d < lower ? d : lower;
+            upper = d > upper ? d : upper;
+        }
+        all.lower[k] = lower;
+        all.upper[k] = upper;
+    }
+    return all;
 }
 
 void motionBound::collect(const particleView& moving)
@@ -55,14 +92,12 @@ void motionBound::collect(const particleView& moving)
     constexpr float none = std::numeric_limits<float>::max();
     const range empty{{none, none, none}, {-none, -none, -none}};
 
-    ranges_.assign(cells_->nCells(), empty);
-    for (std::size_t c = 0; c < ranges_.size(); ++c)
+    for (const std::size_t cell : occupied_)
     {
-        if (atRest_[c])
-        {
-            ranges_[c] = {{0, 0, 0}, {0, 0, 0}};
-        }
+        place_[cell] = unoccupied;
     }
+    occupied_.clear();
+    ranges_.clear();
 
     // Particles are in order along a curve: a cell comes in few runs
     #pragma omp parallel
@@ -71,8 +106,20 @@ void motionBound::collect(const particleView& moving)
         range run = empty;
         const auto flush = [&]()
         {
+            if (run.upper[0] < run.lower[0])
+            {
+                return;
+            }
             #pragma omp critical
-            ranges_[cell].include(run, moving.D);
+            {
+                if (place_[cell] == unoccupied)
+                {
+                    place_[cell] = int(occupied_.size());
+                    occupied_.push_back(cell);
+                    ranges_.push_back(empty);
+                }
+                ranges_[place_[cell]].include(run, moving.D);
+            }
         };
 
         #pragma omp for schedule(static)
@@ -96,34 +143,42 @@ void motionBound::collect(const particleView& moving)
     }
 }
 
-void motionBound::spread(const int d)
+motionBound::range motionBound::around(const std::size_t cell) const
 {
-    std::size_t stride = 1;
-    for (int k = 0; k < d; ++k)
+    std::array<int, 3> lower{};
+    std::array<int, 3> upper{};
+    std::size_t rest = cell;
+    for (int k = 0; k < cells_->D(); ++k)
     {
-        stride *= cells_->extent(k);
+        const int n = cells_->extent(k);
+        const int c = int(rest%n);
+        rest /= n;
+        lower[k] = std::max(c - 1, 0);
+        upper[k] = std::min(c + 1, n - 1);
     }
-    const int n = cells_->extent(d);
-    const std::size_t nLines = ranges_.size()/n;
 
-    for (std::size_t line = 0; line < nLines; ++line)
+    range all = ranges_[place_[cell]];
+    for (int k = lower[2]; k <= upper[2]; ++k)
     {
-        range* const first =
-            ranges_.data() + line%stride + line/stride*stride*n;
-
-        range before = first[0];
-        for (int i = 0; i < n; ++i)
+        for (int j = lower[1]; j <= upper[1]; ++j)
         {
-            range& here = first[i*stride];
-            const range mine = here;
-            here.include(before, cells_->D());
-            if (i + 1 < n)
+            for (int i = lower[0]; i <= upper[0]; ++i)
             {
-                here.include(first[(i + 1)*stride], cells_->D());
+                const std::size_t at =
+                    (std::size_t(k)*cells_->extent(1) + j)*cells_->extent(0)
+                  + i;
+                if (place_[at] != unoccupied)
+                {
+                    all.include(ranges_[place_[at]], cells_->D());
+                }
+                if (atRest_[at])
+                {
+                    all.include({}, cells_->D());
+                }
             }
-            before = mine;
         }
     }
+    return all;
 }
 
 bool motionBound::exceeds
@@ -133,35 +188,44 @@ bool motionBound::exceeds
     const double farthest
 )
 {
-    collect(moving);
-    for (int d = 0; d < moving.D; ++d)
+    if (moving.n == 0)
     {
-        spread(d);
+        return false;
     }
 
-    double largest = 0;
-    double largest2 = 0;
-    for (const range& r : ranges_)
+    range all = overall(moving);
+    for (int k = 0; k < moving.D; ++k)
     {
-        double length2 = 0;
-        for (int k = 0; k < moving.D; ++k)
+        if (std::max(-all.lower[k], all.upper[k]) > farthest)
         {
-            const double d = double(r.upper[k]) - double(r.lower[k]);
-            length2 += d > 0 ? d*d : 0;
-            if (d >= 0)
-            {
-                largest = std::max(largest, double(-r.lower[k]));
-                largest = std::max(largest, double(r.upper[k]));
-            }
+            return true;
         }
-        largest2 = std::max(largest2, length2);
     }
-    return largest2 > limit*limit || largest > farthest;
+    if (anyAtRest_)
+    {
+        all.include({}, moving.D);
+    }
+    if (all.extent2(moving.D) <= limit*limit)
+    {
+        return false;
+    }
+
+    // Close particles may still move together
+    collect(moving);
+    double largest = 0;
+
+    #pragma omp parallel for schedule(static) reduction(max : largest)
+    for (int i = 0; i < int(occupied_.size()); ++i)
+    {
+        largest = std::max(largest, around(occupied_[i]).extent2(moving.D));
+    }
+    return largest > limit*limit;
 }
 
 std::size_t motionBound::bytes() const
 {
-    return atRest_.capacity() + ranges_.capacity()*sizeof(range)
+    return atRest_.capacity() + place_.capacity()*sizeof(int)
+      + occupied_.capacity()*(sizeof(std::size_t) + sizeof(range))
       + 3*start_[0].capacity()*sizeof(float);
 }
 

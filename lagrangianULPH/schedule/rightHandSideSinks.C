@@ -229,13 +229,26 @@ void Foam::forceSink::addBodyForce
     ulph::laneRow* a
 ) const
 {
-    vector f(models_.force->acceleration(Zero, t_));
+    const bodyForce& force = *models_.force;
+    if (force.off())
+    {
+        return;
+    }
+    if (force.uniform())
+    {
+        const vector f(force.acceleration(Zero, t_));
+        for (int k = 0; k < cloud_.D(); ++k)
+        {
+            for (label l = 0; l < n; ++l)
+            {
+                a[k][l] += f[cloud_.axis(k)];
+            }
+        }
+        return;
+    }
     for (label l = 0; l < n; ++l)
     {
-        if (!models_.force->uniform())
-        {
-            f = models_.force->acceleration(cloud_.position(first + l), t_);
-        }
+        const vector f(force.acceleration(cloud_.position(first + l), t_));
         for (int k = 0; k < cloud_.D(); ++k)
         {
             a[k][l] += f[cloud_.axis(k)];

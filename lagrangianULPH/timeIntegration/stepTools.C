@@ -107,7 +107,7 @@ void Foam::stepTools::kick(const scalar dt)
             sum2 += a2;
         }
     }
-    guard_.checkRate(std::isfinite(sum2), "acceleration", a);
+    guard_.checkRates(std::isfinite(sum2), {"acceleration"});
     maxAcceleration_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
 
     forTiles(cloud.size(), [&](const label first, const label n)
@@ -169,20 +169,34 @@ void Foam::stepTools::advanceDensity
                 rate[l] += towards[l];
             }
         }
+        ulph::laneRow change;
+        scalar sumOfTile = 0;
         for (label l = 0; l < n; ++l)
         {
-            scalar& r = rho1[first + l];
-            r += dtDiffusion*rate[l] - dt*(rho0 + r)*div[l];
+            change[l] = dtDiffusion*rate[l] - dt*(rho0 + rho1[first + l])*div[l];
+            sumOfTile += std::abs(change[l]);
+        }
+        sum += sumOfTile;
+        if (!std::isfinite(sumOfTile))
+        {
+            continue;
+        }
+        for (label l = 0; l < n; ++l)
+        {
+            rho1[first + l] += change[l];
         }
         surface.release(first, n, rho1 + first);
         for (label l = 0; l < n; ++l)
         {
             const scalar error = std::abs(rho1[first + l]);
             max = error > max ? error : max;
-            sum += error;
         }
     }
-    guard_.checkRate(std::isfinite(sum), "density", cloud.densityExcess());
+    guard_.checkRates
+    (
+        std::isfinite(sum),
+        {"divergence", "densityDiffusion", "densityRelaxation"}
+    );
     maxExcess_ = returnReduce(max, maxOp<scalar>());
 }
 

@@ -42,6 +42,70 @@ scalar errorOf
     return error;
 }
 
+
+//- Pressure at a point of a rectangle of sides 2 and 1 about (1 1 0)
+scalar rectanglePressure(const testCase& c, const point& p)
+{
+    const pointField points(1, p);
+    const dictionary dict
+    (
+        parse
+        (
+            "rho0 1000; f { type rotatingRectangle; omega 3; sides (2 1);"
+            " centre (1 1 0); }"
+        )
+    );
+    return initialField<scalar>::New
+    (
+        "f", dict, initialRegion{c.time, points, 0.02}
+    )->value(points)()[0];
+}
+
+
+//- The pressure is zero on the sides, and its Laplacian that of a rotation
+void rectangleChecks(tally& t, const testCase& c)
+{
+    const scalar source = 2*1000*sqr(3.0);
+
+    scalar sides = 0;
+    for (const scalar s : {-0.4, 0.1, 0.45})
+    {
+        for
+        (
+            const point& p :
+            {
+                point(1 + 2*s, 0.5, 0), point(1 + 2*s, 1.5, 0),
+                point(0, 1 + s, 0), point(2, 1 + s, 0)
+            }
+        )
+        {
+            sides = max(sides, mag(rectanglePressure(c, p)));
+        }
+    }
+    t.check
+    (
+        sides < 1e-5*source,
+        "initial field rotatingRectangle: on the sides " + text(sides)
+    );
+
+    const scalar d = 0.02;
+    const point p(1.3, 0.8, 0);
+    const scalar laplacian =
+    (
+        rectanglePressure(c, p + vector(d, 0, 0))
+      + rectanglePressure(c, p - vector(d, 0, 0))
+      + rectanglePressure(c, p + vector(0, d, 0))
+      + rectanglePressure(c, p - vector(0, d, 0))
+      - 4*rectanglePressure(c, p)
+    )/sqr(d);
+    t.check
+    (
+        mag(laplacian/source - 1) < 1e-3,
+        "initial field rotatingRectangle: Laplacian over 2 rho omega^2 "
+      + text(laplacian/source)
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -117,6 +181,23 @@ void Foam::initialChecks(tally& t)
         ),
         "profile"
     );
+
+    report
+    (
+        errorOf<scalar>
+        (
+            "f { type quadratic; value 5; origin (0 1 0); gradient (1 0 2);"
+            " hessian (2 1 0 0 0 4); }",
+            region,
+            [](const point& p)
+            {
+                const scalar x = p.x(), y = p.y() - 1, z = p.z();
+                return 5 + x + 2*z + sqr(x) + x*y + 2*sqr(z);
+            }
+        ),
+        "quadratic"
+    );
+    rectangleChecks(t, c);
 
     // The file constant/g of this case is tilted
     const vector g(1, -2, 2);

@@ -33,6 +33,7 @@ int main(int argc, char* argv[])
         {"kernel", kernelChecks},
         {"list", listChecks},
         {"pairSum", pairSumChecks},
+        {"model", modelChecks},
         {"operator", operatorChecks},
         {"symmetry", symmetryChecks},
         {"precision", precisionChecks}

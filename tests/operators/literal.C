@@ -27,7 +27,7 @@ Foam::literal::literal(const rig& library, const coefficients& c)
         I.v = I.viscousV = rig_.solved(cloud.toVector(cloud.v(), i));
         I.rho = rho0_ + cloud.densityExcess()(i);
         I.V = cloud.mass()(i)/I.rho;
-        I.p = sqr(c0_)*cloud.densityExcess()(i);
+        I.p = pressure(I.rho);
         fluid.push_back(I);
     }
     setWalls();
@@ -66,6 +66,20 @@ Foam::literal::literal(const rig& library, const coefficients& c)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+double Foam::literal::pressure(const double rho) const
+{
+    const double gamma = c_.gamma;
+    return rho0_*sqr(c0_)/gamma*std::expm1(gamma*std::log1p(rho/rho0_ - 1));
+}
+
+
+double Foam::literal::density(const double p) const
+{
+    const double gamma = c_.gamma;
+    return rho0_*std::pow(1 + p*gamma/(rho0_*sqr(c0_)), 1/gamma);
+}
+
 
 void Foam::literal::moment(particle& I, const double surfaceClass) const
 {
@@ -140,7 +154,8 @@ void Foam::literal::rates(particle& I) const
 {
     const double eta2 = sqr(rig_.models.viscous->eta()*h_);
     const double diffusivity = c_.delta*h_*c0_;
-    const double mu = c_.alpha*h_*c0_*rho0_;
+    // Eqs (10) and (12)
+    const double mu = rho0_*(c_.alpha*h_*c0_ + 2*(D_ + 2)*c_.nu);
 
     int n = 0;
     double sumR = 0;
@@ -158,7 +173,7 @@ void Foam::literal::rates(particle& I) const
         I.Phi += diffusivity*wV
            *(
                 2*(J.rho - I.rho)*x.dot(KIx)/(r*r)
-              - (I.gradRho + J.gradRho).dot(KIx)
+              - (c_.laplacian ? 0 : (I.gradRho + J.gradRho).dot(KIx))
             );
 
         I.b += wV*x;

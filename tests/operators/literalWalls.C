@@ -41,6 +41,7 @@ void Foam::literal::setWalls()
         );
 
         double sumW = 0;
+        double rho1 = 0;
         double balance = 0;
         vec v(vec::Zero());
         forNeighbours
@@ -50,7 +51,7 @@ void Foam::literal::setWalls()
                 // x points from the wall particle to the fluid
                 sumW += w;
                 v += w*F.v;
-                W.p += w*F.p;
+                rho1 += w*(F.rho - rho0_);
                 balance -= w*F.rho*f.dot(x);
             }
         );
@@ -59,7 +60,8 @@ void Foam::literal::setWalls()
             v /= sumW;
 
             // A wall does not hold fluid without pressure
-            W.p = (W.p + (W.p <= 0 && balance < 0 ? 0 : balance))/sumW;
+            W.p = pressure(rho0_ + rho1/sumW);
+            W.p += W.p <= 0 && balance < 0 ? 0 : balance/sumW;
         }
 
         mat reflection(mat::Zero());
@@ -75,7 +77,7 @@ void Foam::literal::setWalls()
         }
         W.v = reflection*v;
         W.viscousV = c_.noSlip ? vec(-v) : W.v;
-        W.rho = rho0_ + W.p/sqr(c0_);
+        W.rho = density(W.p);
         W.gradRho = rho0_/sqr(c0_)*f;
         walls.push_back(W);
     }

@@ -54,6 +54,16 @@ static const modelChoice choices[] =
         "densityDiffusion { type hydrostatic; delta 0.1; }"
         "densityRelaxation { type moment; k 0.01; }",
         {0.1, 0, true, false, literal::inverse::full, true, 0.01}
+    },
+    {
+        "Tait, laminar, laplacian",
+        "momentMatrix full;"
+        "equationOfState { type Tait; gamma 7; }"
+        "viscosity { type laminar; nu 0.01; }"
+        "densityDiffusion { type laplacian; delta 0.1; }",
+        {
+            0.1, 0, true, false, literal::inverse::full, false, 0, true, 0.01, 7
+        }
     }
 };
 
@@ -185,6 +195,48 @@ static void skinChecks(tally& t, const scene& where)
 }
 
 
+//- Two balls that move past each other keep their lists; stirred, they do not
+static void partChecks(tally& t, const int D)
+{
+    scene where(scene::ball(D));
+    const int n = where.state.size();
+    std::vector<vec> places;
+    for (const double side : {-1, 1})
+    {
+        for (const vec& x : where.state.x)
+        {
+            places.push_back(x + side*vec(D == 2 ? 0.4 : 0.6, 0, 0));
+        }
+    }
+    where.state = fluidState::random(D, where.dx, places);
+
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+    library.evaluate();
+
+    const std::string what(where.name + " two balls ");
+    const vec step(0, library.neighbours.skin(), 0);
+    move
+    (
+        library,
+        [&](const int number) { return vec((number < n ? 0.8 : -0.8)*step); }
+    );
+    library.evaluate();
+    t.check(what + "keep their lists", library.neighbours.nBuilds() == 1);
+    compare(t, what + "apart", library, choice.printed, 1e-12);
+
+    move
+    (
+        library,
+        [&](const int number) { return vec((number % 2 ? 0.55 : -0.55)*step); }
+    );
+    library.evaluate();
+    t.check(what + "stirred get new lists", library.neighbours.nBuilds() == 2);
+    compare(t, what + "stirred", library, choice.printed, 1e-12);
+}
+
+
 //- A drop that falls as a whole finds the floor in time
 static void fallChecks(tally& t)
 {
@@ -264,6 +316,8 @@ void Foam::operatorChecks(tally& t)
         skinChecks(t, where);
         splitChecks(t, where);
     }
+    partChecks(t, 2);
+    partChecks(t, 3);
     fallChecks(t);
     linearChecks(t);
     latticeChecks(t);
