@@ -30,7 +30,8 @@ class Tank:
 
         first = case.cloud(0)
         self.particles = len(first["x"])
-        self.level = levelOf(self.name, self.particles * case.entry("dx") ** 2)
+        density = case.entry("rho0") + first["densityExcess"]
+        self.level = levelOf(self.name, (first["mass"] / density).sum())
         self.height = areaAndHeight(self.name, self.level)[1]
         self.asked = areaAndHeight(self.name, LEVEL)[0]
 
@@ -47,7 +48,7 @@ class Tank:
     def figures(self, fields):
         """Ek/Ep, rms and mean pressure error, height of the centroid, lost."""
         y = fields["x"][:, 1]
-        m = fields.get("mass", np.ones(len(y)))  # written if not uniform
+        m = fields["mass"]
         kinetic = 0.5 * (m * (fields["U"] ** 2).sum(axis=1)).sum()
         potential = GRAVITY * (m * y).sum()
         error = fields["p"] / self.unit - (self.level - y) / LEVEL
