@@ -73,6 +73,19 @@ Foam::scalar Foam::fluidLattice::spacing
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::fluidLattice::clearOfWalls(point& place) const
+{
+    const scalar gap = wallGap*dx_;
+    const wallSearch::wallPoint wall(search_.nearest(place, gap));
+
+    if (!wall.found()) return true;
+
+    place += (gap - wall.distance)*wall.normal;
+
+    return !search_.nearest(place, 0.9*gap).found();
+}
+
+
 void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
 {
     // Those of its source stand beside them
@@ -103,11 +116,12 @@ void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
                 if (!search_.contains(places[i])) continue;
                 ++nInside;
 
-                const scalar gap = wallGap*dx_;
+                point place(places[i]);
 
-                if (search_.nearest(places[i], gap).found()) continue;
+                if (!clearOfWalls(place)) continue;
 
-                position_.append(places[i]);
+                lattice_.append(places[i]);
+                position_.append(place);
                 volume_.append(volumes[i]);
             }
         }
@@ -161,12 +175,12 @@ void Foam::fluidLattice::checkOverlap
     pointGrid grid(regionGap*dx_);
     for (label i = 0; i < start; ++i)
     {
-        grid.append(position_[i]);
+        grid.append(lattice_[i]);
     }
 
     for (label i = start; i < size(); ++i)
     {
-        const label other = grid.nearest(position_[i]);
+        const label other = grid.nearest(lattice_[i]);
 
         if (other >= 0)
         {
@@ -174,7 +188,7 @@ void Foam::fluidLattice::checkOverlap
                 << "Regions " << regionNames_[region_[other]] << " and "
                 << regionNames_[regioni] << " overlap at " << position_[i]
                 << ": their particles there are "
-                << mag(grid[other] - position_[i]) << " m apart, dx is "
+                << mag(grid[other] - lattice_[i]) << " m apart, dx is "
                 << dx_ << " m." << nl
                 << "    Make the regions meet without overlap, on one lattice"
                 << exit(FatalIOError);

@@ -50,8 +50,6 @@ static const char* const defaultMode =
     "equationOfState    linear;"
     "momentMatrix       { type eigenvalueFloored; floor 0.5; }"
     "freeSurface        momentMatrix;"
-    "densityDiffusion   { type ULPH; delta 0.1; }"
-    "densityRelaxation  none;"
     "shifting           { type Fickian; C 2; }"
     "wall               slip;"
     "timeIntegration    driftKickDrift;";
@@ -72,6 +70,14 @@ static const char* const stillWalls =
 
 static const char* const inviscid =
     "viscosity          none;";
+
+static const char* const heavy =
+    "densityDiffusion   { type hydrostatic; delta 0.1; }"
+    "densityRelaxation  { type moment; k 0.005; }";
+
+static const char* const weightless =
+    "densityDiffusion   { type ULPH; delta 0.1; }"
+    "densityRelaxation  none;";
 
 } // End namespace Foam
 
@@ -144,6 +150,7 @@ Foam::dictionary Foam::ulphModels::complete
     {
         fill(defaultMode);
         fill(hasWalls(mesh) ? stillWalls : inviscid);
+        fill(hasGravity(mesh) ? heavy : weightless);
     }
     else if (mode == "paper")
     {

@@ -126,7 +126,7 @@ void Foam::ulphSolver::makeParticles()
     for (label i = 0; i < n; ++i)
     {
         rho1[i] = models_.state->densityExcess(lattice.pressure()[i]);
-        mass[i] = cloud_.rho0()*lattice.volume()[i];
+        mass[i] = (cloud_.rho0() + rho1[i])*lattice.volume()[i];
     }
     cloud_.set(lattice.position(), lattice.velocity(), rho1, mass);
 

@@ -59,6 +59,13 @@ def cost(folder):
     }
 
 
+def figuresFolder(room):
+    """Where the figures of a room go: those of runs are kept, in figures."""
+    folder = pathlib.Path("figures") if pathlib.Path(room).name == "runs" else room
+    pathlib.Path(folder).mkdir(exist_ok=True)
+    return pathlib.Path(folder)
+
+
 def writeRows(file, rows):
     """Dictionaries to a CSV file; the first gives names and order of columns."""
     with open(file, "w", newline="") as stream:

@@ -1,4 +1,6 @@
-"""Checks of the still tanks: check.py <room>, the folder of the four runs."""
+"""Checks and figures of the still tanks: check.py <room>, the folder of the four
+runs. Writes figures/figures.csv for the room runs, <room>/figures.csv for others.
+"""
 
 import pathlib
 import sys
@@ -6,17 +8,15 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 
 import numpy as np
-from rest import GRAVITY, LEVEL, areaAndHeight, levelOf
+from rest import GRAVITY, LEVEL, areaAndHeight
 from ulphCase import Case, Checks
+from ulphStudy import cost, figuresFolder, writeRows
 
 TANKS = ("upright", "turned", "step", "cylinder")
 
 # Ek/Ep, rms pressure error/(rho g H), centroid drift/H
 BOUNDS = {"upright": (5e-6, 0.01, 0.001)}
 OTHERS = (5e-5, 0.02, 0.002)
-
-# The fill does not fit turned and curved walls: it settles first
-SETTLED = 5.0  # [s]
 
 
 class Tank:
@@ -27,61 +27,69 @@ class Tank:
         self.name = pathlib.Path(folder).name
         self.times = np.array(case.times)
         self.unit = case.entry("rho0") * GRAVITY * LEVEL
+        self.area, self.height = areaAndHeight(self.name, LEVEL)
 
         first = case.cloud(0)
         self.particles = len(first["x"])
-        self.level = levelOf(self.name, self.particles * case.entry("dx") ** 2)
-        self.height = areaAndHeight(self.name, self.level)[1]
-        self.asked = areaAndHeight(self.name, LEVEL)[0]
+        density = case.entry("rho0") + first["densityExcess"]
+        self.filled = (first["mass"] / density).sum()
 
         rows = [self.figures(case.cloud(t)) for t in case.times]
-        self.energy, self.pressure, self.offset, self.y, lost = np.array(rows).T
+        self.energy, self.pressure, self.y, lost = np.array(rows).T
         self.lost = lost.max()
-        self.drift = (self.y - self.y[np.argmax(self.times >= self.start())]) / LEVEL
-
-    def start(self):
-        """The time from which the figures are taken [s]."""
-        settled = 0 if self.name in ("upright", "step") else SETTLED
-        return min(settled, 0.75 * self.times[-1])
+        self.drift = (self.y - self.y[0]) / LEVEL
 
     def figures(self, fields):
-        """Ek/Ep, rms and mean pressure error, height of the centroid, lost."""
-        y = fields["x"][:, 1]
-        m = fields.get("mass", np.ones(len(y)))  # written if not uniform
+        """Ek/Ep, rms pressure error, height of the centroid, lost particles."""
+        y, m = fields["x"][:, 1], fields["mass"]
         kinetic = 0.5 * (m * (fields["U"] ** 2).sum(axis=1)).sum()
         potential = GRAVITY * (m * y).sum()
-        error = fields["p"] / self.unit - (self.level - y) / LEVEL
+        error = fields["p"] / self.unit - (LEVEL - y) / LEVEL
         return (
             kinetic / potential,
             np.sqrt((error**2).mean()),
-            error.mean(),
             (m * y).sum() / m.sum(),
             self.particles - len(y),
         )
 
+    def row(self):
+        """The largest of all writes, and what they cost."""
+        return {
+            "tank": self.name,
+            "dx": self.case.entry("dx"),
+            "end": self.times[-1],
+            "EkByEp": self.energy.max(),
+            "pressureError": self.pressure.max(),
+            "centroidDrift": np.abs(self.drift).max(),
+            "particlesLost": int(self.lost),
+            "EkByEpAtEnd": self.energy[-1],
+            "areaError": self.filled / self.area - 1,
+            "centroidOfRest": (self.y[-1] - self.height) / LEVEL,
+            **cost(self.case.folder),
+        }
 
-def checkTank(tank):
-    """The largest figures since the start, or since the fill has settled."""
+
+def checkTank(tank, row):
     check = Checks(tank.name + ".")
     energy, pressure, drift = BOUNDS.get(tank.name, OTHERS)
-    since = tank.times >= tank.start()
 
     check("finished", tank.case.finished(), 1, 1)
-    check("Ek/Ep", tank.energy[since].max(), 0, energy)
-    check("pressureError", tank.pressure[since].max(), 0, pressure)
-    check("centroidDrift", np.abs(tank.drift[since]).max(), 0, drift)
-    check("particlesLost", tank.lost, 0, 0)
+    check("Ek/Ep", row["EkByEp"], 0, energy)
+    check("pressureError", row["pressureError"], 0, pressure)
+    check("centroidDrift", row["centroidDrift"], 0, drift)
+    check("particlesLost", row["particlesLost"], 0, 0)
     print(
-        f"{tank.name}: {tank.particles} particles, level {tank.level:.4f} m of the "
-        f"particles' volume ({tank.level - LEVEL:+.4f} m to that asked for); centroid "
-        f"{(tank.y[0] - tank.height) / LEVEL:+.2e} H at the start, "
-        f"{(tank.y[-1] - tank.height) / LEVEL:+.2e} H at the end from that of rest; "
-        f"{tank.case.executionTime():.1f} s of CPU time"
+        f"{tank.name}: {tank.particles} particles, their area {row['areaError']:+.1e} "
+        f"off that asked for; centroid at the end {row['centroidOfRest']:+.1e} H "
+        f"off that of rest; {row['cpuSeconds']:.1f} s of CPU time"
     )
     return check.failed
 
 
 if __name__ == "__main__":
     room = pathlib.Path(sys.argv[1])
-    failed = [checkTank(Tank(room / name)) for name in TANKS]
+    tanks = [Tank(room / name) for name in TANKS]
+    rows = [tank.row() for tank in tanks]
+    failed = [checkTank(tank, row) for tank, row in zip(tanks, rows)]
+    writeRows(figuresFolder(room) / "figures.csv", rows)
     sys.exit(1 if any(failed) else 0)

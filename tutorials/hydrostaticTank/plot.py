@@ -1,4 +1,4 @@
-"""Pictures of the still tanks: plot.py <room>; written to <room>/figures."""
+"""Pictures of the still tanks: plot.py <room>; see figuresFolder."""
 
 import pathlib
 import sys
@@ -7,8 +7,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 
 import numpy as np
 from check import BOUNDS, OTHERS, TANKS, Tank
-from rest import CENTRE, RADIUS, outline
+from rest import CENTRE, LEVEL, RADIUS, outline
 from ulphCase import drawParticles, pyplot, savePicture
+from ulphStudy import figuresFolder
 
 plt = pyplot()
 
@@ -46,7 +47,7 @@ def pressures(tanks, file):
         axes.plot(*np.vstack([outline(tank.name), outline(tank.name)[:1]]).T, "0.3", lw=1)
         if tank.name == "cylinder":
             axes.add_patch(plt.Circle(CENTRE, RADIUS, fill=False, color="0.3"))
-        axes.axhline(tank.level, color="0.6", lw=0.8, ls="--")
+        axes.axhline(LEVEL, color="0.6", lw=0.8, ls="--")
         axes.set(title=f"{tank.name}, t = {tank.times[-1]:g} s", aspect="equal")
         axes.set_axis_off()
     figure.colorbar(discs, ax=grid, shrink=0.8, label=r"p/($\rho_0$ g H)")
@@ -56,6 +57,7 @@ def pressures(tanks, file):
 if __name__ == "__main__":
     room = pathlib.Path(sys.argv[1])
     tanks = [Tank(room / name) for name in TANKS]
-    histories(tanks, room / "figures" / "histories.png")
-    pressures(tanks, room / "figures" / "pressure.png")
-    print(f"Pictures are in {room / 'figures'}")
+    folder = figuresFolder(room)
+    histories(tanks, folder / "histories.png")
+    pressures(tanks, folder / "pressure.png")
+    print(f"Pictures are in {folder}")

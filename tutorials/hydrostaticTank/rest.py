@@ -1,4 +1,4 @@
-"""The exact state of rest of a volume of water in the four tanks.
+"""The exact state of rest of the water in the four tanks.
 
 Water compressed by its own weight has a volume smaller by about g H/c0^2 only:
 it is taken as incompressible here.
@@ -43,15 +43,3 @@ def areaAndHeight(tank, level):
         hole = np.pi * RADIUS**2
         area, moment = area - hole, moment - hole * CENTRE[1]
     return area, moment / area
-
-
-def levelOf(tank, area):
-    """Level [m] of the water that has this area."""
-    low, high = 0.3, 0.7
-    for _ in range(60):
-        middle = (low + high) / 2
-        if areaAndHeight(tank, middle)[0] < area:
-            low = middle
-        else:
-            high = middle
-    return low

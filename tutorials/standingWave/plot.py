@@ -1,4 +1,4 @@
-"""Picture of the standing wave: plot.py <room>; written to <room>/figures."""
+"""Picture of the standing wave: plot.py <room>; see figuresFolder."""
 
 import pathlib
 import sys
@@ -8,6 +8,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 import numpy as np
 from check import runs
 from ulphCase import pyplot, savePicture
+from ulphStudy import figuresFolder
 from wave import IMPULSE, K, OMEGA, PERIOD, Wave
 
 plt = pyplot()
@@ -39,5 +40,6 @@ def picture(waves, file):
 
 if __name__ == "__main__":
     room = pathlib.Path(sys.argv[1])
-    picture([Wave(case) for case in runs(room)], room / "figures" / "wave.png")
-    print(f"Picture is in {room / 'figures'}")
+    folder = figuresFolder(room)
+    picture([Wave(case) for case in runs(room)], folder / "wave.png")
+    print(f"Picture is in {folder}")

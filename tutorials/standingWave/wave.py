@@ -49,7 +49,7 @@ class Wave:
     def project(fields):
         """Share of the wave in the velocity: sound is orthogonal to it."""
         basis = mode(fields["x"])
-        m = fields.get("mass", np.ones(len(basis)))[:, None]  # written if not uniform
+        m = fields["mass"][:, None]
         return (m * basis * fields["U"][:, :2]).sum() / (m * basis**2).sum()
 
     def fit(self):
