@@ -35,7 +35,7 @@ void Foam::wallContact::update
     const neighbourSearch& neighbours
 )
 {
-    if (!search_.hasWalls())
+    if (!hasWalls())
     {
         return;
     }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ulphEnergy.H"
+#include "energyBudget.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -38,78 +39,45 @@ Foam::functionObjects::ulphEnergy::ulphEnergy
 
 Foam::List<Foam::string> Foam::functionObjects::ulphEnergy::remarks() const
 {
-    return {"Energy of the particles [J]; diffusion and rest since the start"};
+    return {"Energy of the particles [J]; from viscosity on since the start"};
 }
 
 
 Foam::wordList Foam::functionObjects::ulphEnergy::columns() const
 {
-    return
-    {
-        "kinetic", "potential", "elastic", "total", "diffusion", "rest"
-    };
+    wordList names({"kinetic", "potential", "elastic", "total"});
+    names.append(wordList(energyBudget::effectNames.names()));
+    names.append("rest");
+    return names;
 }
 
 
 Foam::scalarList Foam::functionObjects::ulphEnergy::row()
 {
-    const ulphCloud& cloud = particles();
-    const particleField& m = cloud.mass();
-    const bodyForce& force = *models().force;
-    const equationOfState& state = *models().state;
-    const scalar t = time_.value();
+    const energyBudget& budget = energyBudget::New(mesh_);
 
-    const scalar kinetic = sum([&](const label i)
+    DynamicList<scalar> values;
+    for (const scalar energy :
+        {budget.kinetic(), budget.potential(), budget.elastic()})
     {
-        return 0.5*m(i)*magSqr(cloud.toVector(cloud.v(), i));
-    });
-    const scalar potential = sum([&](const label i)
-    {
-        return m(i)*force.potential(cloud.position(i), t);
-    });
-    const scalar elastic = sum([&](const label i)
-    {
-        return m(i)*state.energy(cloud.densityExcess()(i));
-    });
-    const scalar total = kinetic + potential + elastic;
+        values.append(returnReduce(energy, sumOp<scalar>()));
+    }
+    const scalar total = values[0] + values[1] + values[2];
+    values.append(total);
 
     if (!started_)
     {
         started_ = true;
         first_ = total;
     }
-    return
+    scalar rest = total - first_;
+    for (const word& name : energyBudget::effectNames.names())
     {
-        kinetic, potential, elastic, total, diffusion_,
-        total - first_ - diffusion_
-    };
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::functionObjects::ulphEnergy::read(const dictionary& dict)
-{
-    return ulphFunctionObject::read(dict);
-}
-
-
-bool Foam::functionObjects::ulphEnergy::execute()
-{
-    const ulphCloud& cloud = particles();
-    const equationOfState& state = *models().state;
-
-    if (const particleField* const rate = cloud.derived("densityDiffusion"))
-    {
-        diffusion_ += time_.deltaTValue()*sum([&](const label i)
-        {
-            const scalar rho1 = cloud.densityExcess()(i);
-            return
-                cloud.mass()(i)*state.pressure(rho1)*(*rate)(i)
-               /sqr(cloud.rho0() + rho1);
-        });
+        values.append(budget.work(energyBudget::effectNames[name]));
+        rest -= values.last();
     }
-    return true;
+    values.append(rest);
+    return scalarList(values);
 }
 
 

@@ -9,12 +9,16 @@
 
 Foam::autoPtr<Foam::particleLattice> Foam::particleLattice::New
 (
-    const dictionary& regionDict,
+    const dictionary& parent,
     const wallSearch& search,
-    const scalar dx
+    const scalar dx,
+    const word& keyword
 )
 {
-    const dictionary& dict = regionDict.subOrEmptyDict("lattice");
+    // Not a copy: it would not know its parent
+    const dictionary none;
+    const dictionary& dict =
+        parent.found(keyword) ? parent.subDict(keyword) : none;
     const word latticeType(dict.getOrDefault<word>("type", "cartesian"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(latticeType);

@@ -218,6 +218,7 @@ Foam::forceSink::forceSink
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
+    viscous_(cloud.derived("viscousAcceleration")),
     diffusion_(cloud.derived("densityDiffusion"))
 {}
 
@@ -293,11 +294,23 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
         {
             for (label l = 0; l < n; ++l)
             {
-                a[k][l] +=
+                KA[k][l] =
                     symmetric
                   ? 0.5*mu*(KA[k][l] + sums.symmetricA[k][l])
                   : mu*KA[k][l];
+                a[k][l] += KA[k][l];
             }
+        }
+        if (viscous_)
+        {
+            for (int k = 0; k < D; ++k)
+            {
+                for (label l = 0; l < n; ++l)
+                {
+                    KA[k][l] /= cloud_.rho0() + rho1[l];
+                }
+            }
+            viscous_->store(sums.first, n, KA);
         }
     }
 

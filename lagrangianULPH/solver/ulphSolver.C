@@ -206,7 +206,7 @@ void Foam::ulphSolver::advance()
 {
     const scalar dt = time_.deltaTValue();
     models_.integration->advance(*tools_, time_.value() - dt, dt);
-    tools_->check();
+    tools_->finish();
     if (!neighbours_.contains())
     {
         removeEscaped();
@@ -229,6 +229,12 @@ void Foam::ulphSolver::removeEscaped()
     }
     if (escaped.size())
     {
+        energyBudget::change work
+        (
+            energyBudget::find(mesh_),
+            energyBudget::escape,
+            &energyBudget::total
+        );
         guard_.countEscaped(escaped);
         cloud_.remove(labelHashSet(escaped));
         neighbours_.invalidate();

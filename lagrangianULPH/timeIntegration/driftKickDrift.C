@@ -41,7 +41,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     const scalar middle = t + 0.5*dt;
 
     tools.drift(0.5*dt);
-    rates.updateNeighbours();
+    tools.updateNeighbours();
     rates.geometry(middle, rightHandSide::laplacian::later);
     tools.advanceDensity(0.5*dt, 0);
     rates.force(middle, true);

@@ -39,7 +39,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
 {
     rightHandSide& rates = tools.rates();
 
-    rates.updateNeighbours();
+    tools.updateNeighbours();
     rates.geometry(t, rightHandSide::laplacian::now);
     rates.force(t, false);
 
@@ -48,7 +48,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.kick(0.5*dt);
     tools.advanceDensity(0.5*dt, 0.5*dt);
 
-    rates.updateNeighbours();
+    tools.updateNeighbours();
     rates.geometry(t + 0.5*dt, rightHandSide::laplacian::now);
     rates.force(t + 0.5*dt, false);
 

@@ -19,6 +19,18 @@ std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields()
 }
 
 
+Foam::energyBudget* Foam::stepTools::budget() const
+{
+    return predicting_ ? nullptr : energyBudget::find(rates_.cloud().mesh());
+}
+
+
+Foam::energyBudget* Foam::stepTools::contactBudget() const
+{
+    return contact_.hasWalls() ? budget() : nullptr;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::stepTools::stepTools
@@ -58,12 +70,28 @@ void Foam::stepTools::measureSpeed()
 }
 
 
+void Foam::stepTools::updateNeighbours()
+{
+    energyBudget::change work
+    (
+        contactBudget(), energyBudget::contact, &energyBudget::potential
+    );
+    rates_.updateNeighbours();
+}
+
+
 void Foam::stepTools::drift(const scalar dt)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
 
-    contact_.limitVelocity();
+    {
+        energyBudget::change work
+        (
+            contactBudget(), energyBudget::contact, &energyBudget::kinetic
+        );
+        contact_.limitVelocity();
+    }
     for (int k = 0; k < cloud.D(); ++k)
     {
         double* const x = cloud.x().component(k);
@@ -123,6 +151,10 @@ void Foam::stepTools::kick(const scalar dt)
             }
         }
     });
+    if (energyBudget* const book = budget())
+    {
+        book->addKick(dt);
+    }
     measureSpeed();
 }
 
@@ -141,6 +173,7 @@ void Foam::stepTools::advanceDensity
     const bool diffuse = diffusion && dtDiffusion > 0;
     const bool relax = relaxation && dtDiffusion > 0;
     const freeSurface& surface = *rates_.models().surface;
+    energyBudget* const book = budget();
     const scalar rho0 = cloud.rho0();
     double* const rho1 = cloud.densityExcess().component(0);
 
@@ -153,27 +186,30 @@ void Foam::stepTools::advanceDensity
     {
         const label n = Foam::min(label(ulph::maxLanes), cloud.size() - first);
         ulph::laneRow div;
-        ulph::laneRow rate = {};
+        ulph::laneRow diffused = {};
+        ulph::laneRow relaxed = {};
+        ulph::laneRow held;
         divergence.load(0, first, n, div);
         if (diffuse)
         {
-            diffusion->load(0, first, n, rate);
+            diffusion->load(0, first, n, diffused);
         }
         if (relax)
         {
-            ulph::laneRow towards;
-            relaxation->load(0, first, n, towards);
-            surface.keepInside(first, n, towards);
-            for (label l = 0; l < n; ++l)
-            {
-                rate[l] += towards[l];
-            }
+            relaxation->load(0, first, n, relaxed);
+            surface.keepInside(first, n, relaxed);
+        }
+        if (book)
+        {
+            std::copy_n(rho1 + first, n, held);
         }
         ulph::laneRow change;
         scalar sumOfTile = 0;
         for (label l = 0; l < n; ++l)
         {
-            change[l] = dtDiffusion*rate[l] - dt*(rho0 + rho1[first + l])*div[l];
+            change[l] =
+                dtDiffusion*(diffused[l] + relaxed[l])
+              - dt*(rho0 + rho1[first + l])*div[l];
             sumOfTile += std::abs(change[l]);
         }
         sum += sumOfTile;
@@ -185,7 +221,19 @@ void Foam::stepTools::advanceDensity
         {
             rho1[first + l] += change[l];
         }
+        if (book)
+        {
+            book->addDensity
+            (
+                first, n, dtDiffusion, diffused, relaxed, held, rho1 + first
+            );
+            std::copy_n(rho1 + first, n, held);
+        }
         surface.release(first, n, rho1 + first);
+        if (book)
+        {
+            book->addRelease(first, n, held, rho1 + first);
+        }
         for (label l = 0; l < n; ++l)
         {
             const scalar error = std::abs(rho1[first + l]);
@@ -212,19 +260,29 @@ void Foam::stepTools::shift(const scalar dt)
     ulphCloud& cloud = rates_.cloud();
     const scalar VmaxDt = maxSpeed_*dt;
 
-    forTiles(cloud.size(), [&](const label first, const label n)
     {
-        ulph::laneRow dx[3];
-        model.displacement(VmaxDt, first, n, dx);
-        for (int k = 0; k < cloud.D(); ++k)
+        energyBudget::change work
+        (
+            budget(), energyBudget::shifting, &energyBudget::potential
+        );
+        forTiles(cloud.size(), [&](const label first, const label n)
         {
-            double* const x = cloud.x().component(k) + first;
-            for (label l = 0; l < n; ++l)
+            ulph::laneRow dx[3];
+            model.displacement(VmaxDt, first, n, dx);
+            for (int k = 0; k < cloud.D(); ++k)
             {
-                x[l] += dx[k][l];
+                double* const x = cloud.x().component(k) + first;
+                for (label l = 0; l < n; ++l)
+                {
+                    x[l] += dx[k][l];
+                }
             }
-        }
-    });
+        });
+    }
+    energyBudget::change work
+    (
+        contactBudget(), energyBudget::contact, &energyBudget::potential
+    );
     contact_.limitPosition();
 }
 
@@ -235,6 +293,7 @@ void Foam::stepTools::save()
     {
         field.saved = field.now;
     }
+    predicting_ = true;
 }
 
 
@@ -255,18 +314,39 @@ void Foam::stepTools::advanceSaved(const scalar dt)
         }
     };
 
-    for (const savedField& field : savedFields())
+    const std::array<savedField, 3> fields(savedFields());
+    for (const savedField& field : fields)
     {
         addTo(field.now, -1, field.saved);
     }
+    predicting_ = false;
+    if (energyBudget* const book = budget())
+    {
+        book->setOffset(&fields[1].saved, &fields[2].saved);
+    }
+
     drift(dt);
     advanceDensity(dt, dt);
     kick(dt);
-    for (const savedField& field : savedFields())
+    for (const savedField& field : fields)
     {
         addTo(field.saved, 1, field.now);
     }
+    if (energyBudget* const book = budget())
+    {
+        book->setOffset(nullptr, nullptr);
+    }
     measureSpeed();
+}
+
+
+void Foam::stepTools::finish()
+{
+    guard_.checkState(maxSpeed_, maxExcess_);
+    if (energyBudget* const book = budget())
+    {
+        book->addBodyForce();
+    }
 }
 
 

@@ -114,9 +114,25 @@ class Run:
             "rmsExtentError": np.sqrt((self.extentError**2).mean()),
             "areaDrift": area[-1] - 1,
             "energyChange": (total[-1] - total[0]) / KINETIC0,
-            "byDiffusion": self.energy["diffusion"][-1] / KINETIC0,
+            "byDiffusion": self.energy["densityDiffusion"][-1] / KINETIC0,
+            "byShifting": self.energy["shifting"][-1] / KINETIC0,
+            "byViscosity": self.energy["viscosity"][-1] / KINETIC0,
+            "budgetRest": self.energy["rest"][-1] / KINETIC0,
             "amplitudeKept": self.amplitudeKept(),
             "momentum": momentum.max() / (mass * OMEGA0 * R),
             "angularMomentum": angular.max() / (mass * OMEGA0 * R**2),
             **cost(self.folder),
         }
+
+
+def ingredient(run):
+    """Columns of a run in the table of ingredients."""
+    figures = run.figures()
+    return {
+        "periods": figures["periods"],
+        "rms axis/R": figures["rmsAxisError"],
+        "area": figures["areaDrift"],
+        "energy/Ek0": figures["energyChange"],
+        "by diffusion": figures["byDiffusion"],
+        "by shifting": figures["byShifting"],
+    }

@@ -101,6 +101,11 @@ class Run:
         }[what]
         return self.at(columns, name, tOmega) / columns[name][0]
 
+    def energyChange(self, column):
+        """Change over the run of an energy, over the kinetic energy at the start."""
+        change = self.energy[column][-1] - self.energy[column][0]
+        return change / self.energy["kinetic"][0]
+
     def edge(self, tOmega):
         """Outline of the particles at a written time, None if there is none."""
         t = float(tOmega) / OMEGA
@@ -171,3 +176,16 @@ def runs(room):
         if "\nEnd\n" in log.read_text() or "FOAM FATAL" in log.read_text()
     ]
     return sorted(found, key=lambda run: (run.mode, -run.dx))
+
+
+def ingredient(run):
+    """Columns of a run in the table of ingredients."""
+    return {
+        "to t omega": run.end,
+        "rms p, t omega < 4": run.pressureError(),
+        "surface/dx at 2.04": run.surfaceDistance("2.04"),
+        "angular momentum(4)": run.ratio("angularMomentum", 4),
+        "energy": run.energyChange("total"),
+        "by diffusion": run.energyChange("densityDiffusion"),
+        "by shifting": run.energyChange("shifting"),
+    }
