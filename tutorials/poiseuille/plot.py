@@ -1,11 +1,10 @@
 """Pictures and figures of the flow between plates: plot.py <room>."""
 
-import pathlib
 import sys
 
 from channel import HEIGHT, exact, runs
 from ulphCase import Case, pyplot, savePicture
-from ulphStudy import writeRows
+from ulphStudy import figuresFolder, writeRows
 
 import numpy as np
 
@@ -26,7 +25,7 @@ def profiles(run, axes):
 
 def main(room):
     found = runs(room)
-    figures = pathlib.Path(room) / "figures"
+    figures = figuresFolder(room)
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8))
     profiles(max((r for r in found if r.mode == "default"), key=lambda r: r.n), left)
     for run in found:

@@ -1,11 +1,10 @@
 """Pictures and figures of the Taylor-Green vortices: plot.py <room>."""
 
-import pathlib
 import sys
 
 from vortices import K, runs
 from ulphCase import Case, drawParticles, pyplot, savePicture
-from ulphStudy import workPrecision, writeRows
+from ulphStudy import figuresFolder, workPrecision, writeRows
 
 import numpy as np
 
@@ -48,7 +47,7 @@ def speeds(run, file):
 
 def main(room):
     found = runs(room)
-    figures = pathlib.Path(room) / "figures"
+    figures = figuresFolder(room)
     decay(found, figures / "decay.png")
     finest = max((r for r in found if r.mode == "default"), key=lambda r: (r.n, r.Re))
     speeds(finest, figures / "speed.png")
