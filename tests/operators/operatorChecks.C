@@ -31,13 +31,14 @@ static const modelChoice choices[] =
 {
     {
         "full",
-        "momentMatrix full;"
+        "momentMatrix full; densityRelaxation none;"
+        "densityDiffusion { type ULPH; delta 0.1; }"
         "viscosity { type artificial; alpha 0.1; symmetric yes; }",
         {0.1, 0.1, true, false, literal::inverse::full}
     },
     {
         "floored, C4",
-        "kernel WendlandC4; wall noSlip;"
+        "kernel WendlandC4; wall noSlip; densityRelaxation none;"
         "momentMatrix { type eigenvalueFloored; floor 0.36; }"
         "densityDiffusion { type ULPH; delta 0.2; }"
         "viscosity { type artificial; alpha 0.05; }",
@@ -57,7 +58,7 @@ static const modelChoice choices[] =
     },
     {
         "Tait, laminar, laplacian",
-        "momentMatrix full;"
+        "momentMatrix full; densityRelaxation none;"
         "equationOfState { type Tait; gamma 7; }"
         "viscosity { type laminar; nu 0.01; }"
         "densityDiffusion { type laplacian; delta 0.1; }",
