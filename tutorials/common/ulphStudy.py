@@ -10,6 +10,14 @@ import re
 
 import numpy as np
 
+# Modes of the runs that a work-precision plot compares, with their lines
+LINES = {
+    "default": "default, driftKickDrift",
+    "midpoint": "default, predictorCorrector",
+    "paperLeapfrog": "paper, driftKickDrift",
+    "paper": "paper, predictorCorrector",
+}
+
 
 def table(folder, name):
     """Columns by name of a function object's table, restarts joined.
@@ -78,20 +86,35 @@ def writeRows(file, rows):
     print(f"Figures are in {file}")
 
 
+def readRows(file):
+    """The rows of writeRows, numbers as floats; what is empty is nan."""
+
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text or np.nan
+
+    with open(file, newline="") as stream:
+        return [{k: value(v) for k, v in r.items()} for r in csv.DictReader(stream)]
+
+
 def order(spacings, errors):
     """Slope of log(error) over log(spacing), least squares."""
     return np.polyfit(np.log(spacings), np.log(errors), 1)[0]
 
 
-def workPrecision(axes, rows, error, line):
-    """Error against CPU seconds, log-log, one line per value of rows[line]."""
-    for k, name in enumerate(dict.fromkeys(row[line] for row in rows)):
+def workPrecision(axes, rows, error, key="mode", lines=LINES):
+    """Error against CPU seconds, log-log: a line with its name per value of a key."""
+    for k, (value, name) in enumerate(lines.items()):
         chosen = sorted(
             (row["cpuSeconds"], row[error], row["resolution"])
             for row in rows
-            if row[line] == name
+            if row[key] == value and np.isfinite(row[error])
         )
-        seconds, errors, resolutions = zip(*chosen)
+        if not chosen:
+            continue
+        seconds, errors, _ = zip(*chosen)
         axes.loglog(seconds, errors, "o-", ms=4, color=f"C{k}", label=name)
         for s, e, r in chosen:
             axes.annotate(

@@ -53,9 +53,10 @@ def checkRun(run, figures):
             check("energyChange", figures["energyChange"], -energy, energy)
     if figures["periods"] > 9.9:
         check("amplitudeKept", figures["amplitudeKept"], 0.98, 1.02)
-    if run.mode in ("default", "rings", "long", "fastSound", "noShift", "sharp"):
+    if not run.mode.startswith("paper"):
         check("momentum", figures["momentum"], 0, 1e-4)
         check("angularMomentum", figures["angularMomentum"], 0, 1e-4)
+        check("budgetRest", figures["budgetRest"], -2e-4, 2e-4)
     return check.failed
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from check import runs
 from exact import KINETIC0, PERIOD, PSI, R, RHO, Exact
 from ulphCase import Case, drawParticles, pyplot, savePicture
-from ulphStudy import workPrecision
+from ulphStudy import readRows, workPrecision
 
 plt = pyplot()
 
@@ -122,44 +122,43 @@ def energyPicture(all, file):
         t = e["Time"] / PERIOD
         change = (e["total"] - e["total"][0]) / KINETIC0
         right.plot(t, change, color=f"C{k}", lw=1, label=run.folder.name)
-        right.plot(t, e["diffusion"] / KINETIC0, ":", color=f"C{k}", lw=1)
+        for effect, style in (("shifting", "--"), ("densityDiffusion", ":")):
+            right.plot(t, e[effect] / KINETIC0, style, color=f"C{k}", lw=1)
     right.set(
         xlabel="t/T",
         ylim=(-0.15, 0.02),
         ylabel="change of total energy over Ek(0)",
-        title="dotted: by density diffusion",
+        title="dashed: by shifting, dotted: by density diffusion",
     )
     right.legend(fontsize=7)
     savePicture(figure, file)
 
 
-def studyPicture(all, file):
-    """Error over spacing and over CPU time, for the runs over resolutions."""
+def studyPicture(table, file):
+    """Error over spacing and over CPU time, from the rows of check.py."""
     studied = (
-        *("default", "rings", "sharp", "noShift", "fastSound"),
-        *("paper", "paperViscous"),
+        *("default", "rings", "packed", "sharp", "noShift", "fastSound"),
+        *("midpoint", "paper", "paperLeapfrog", "paperViscous"),
     )
     rows = [
-        {"error": run.rms(1), **run.figures()}
-        for run in all
-        if run.mode in studied and np.isfinite(run.rms(1))
+        {**row, "cpuSeconds": row["cpuSeconds"] / row["periods"]}
+        for row in readRows(table)
+        if row["mode"] in studied and np.isfinite(row["rmsFirstPeriod"])
     ]
-    for row in rows:
-        row["cpuSeconds"] /= row["periods"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), sharey=True)
     for k, mode in enumerate(dict.fromkeys(row["mode"] for row in rows)):
         chosen = [row for row in rows if row["mode"] == mode]
         n = np.array([int(row["resolution"][1:]) for row in chosen])
-        error = [row["error"] for row in chosen]
+        error = [row["rmsFirstPeriod"] for row in chosen]
         left.loglog(1 / n, error, "o-", ms=4, color=f"C{k}", label=mode)
-    n = np.array([12, 100])
+    n = np.array([12, 200])
     for power, style in ((1, ":"), (2, "--")):
         slope = 4e-4 * (12.0 / n) ** power
         left.loglog(1 / n, slope, "k" + style, lw=0.8, label=f"order {power}")
     left.set(xlabel="dx/R", ylabel="rms error of the axes over R, first period")
     left.grid(which="both", color="0.92", lw=0.6)
     left.legend(fontsize=7)
-    workPrecision(right, rows, "error", "mode")
+    workPrecision(right, rows, "rmsFirstPeriod")
     right.set(xlabel="CPU time per period [s]")
     savePicture(figure, file)
 
@@ -167,18 +166,20 @@ def studyPicture(all, file):
 if __name__ == "__main__":
     room = pathlib.Path(sys.argv[1])
     pictures = pathlib.Path("figures") if room.name == "runs" else room / "figures"
+    figures = pictures if room.name == "runs" else room
     all = runs(room)
     byName = {run.folder.name: run for run in all}
 
     def chosen(*names):
         return [byName[name] for name in names if name in byName]
 
-    for run in chosen("default-R50", "rings-R50", "default-R25")[:2]:
+    starts = chosen("default-R50", "rings-R50", "packed-R50")
+    for run in starts or chosen("default-R25"):
         startPicture(run, pictures / f"start-{run.mode}.png")
     for run in chosen("default-R50", "default-R25")[:1]:
         pressurePicture(run, pictures / "pressure.png")
     shown = chosen("default-R25", "default-R50", "paper-R25", "paper-R50")
     axesPicture(shown, pictures / "axes.png")
     energyPicture(shown, pictures / "energy.png")
-    studyPicture(all, pictures / "study.png")
+    studyPicture(figures / "figures.csv", pictures / "study.png")
     print(f"Pictures are in {pictures}")

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 from patch import OMEGA, PRESSURE, SURFACES, outline, referencePressure, runs, tipRadius
 from ulphCase import drawParticles, pyplot, savePicture
-from ulphStudy import workPrecision
+from ulphStudy import readRows, workPrecision
 
 plt = pyplot()
 
@@ -103,9 +103,9 @@ def centrePicture(all, file):
     savePicture(figure, file)
 
 
-def studyPicture(all, file):
-    """Work-precision: errors over CPU time of the whole run."""
-    rows = [run.figures() for run in all]
+def studyPicture(table, file):
+    """Work-precision: errors over CPU time of the whole run, from check.py's rows."""
+    rows = readRows(table)
     for row in rows:
         row["lost"] = abs(1 - row["angularMomentum4"])
         row["surface"] = np.mean([row["surface" + t] for t in SURFACES])
@@ -119,9 +119,7 @@ def studyPicture(all, file):
             "lost": r"angular momentum lost at $t\omega$ = 4",
         }.items(),
     ):
-        complete = [row for row in rows if np.isfinite(row[error])]
-        if complete:
-            workPrecision(axes, complete, error, "mode")
+        workPrecision(axes, rows, error)
         axes.set(title=label)
     savePicture(figure, file)
 
@@ -129,6 +127,7 @@ def studyPicture(all, file):
 if __name__ == "__main__":
     room = pathlib.Path(sys.argv[1])
     pictures = pathlib.Path("figures") if room.name == "runs" else room / "figures"
+    figures = pictures if room.name == "runs" else room
     all = runs(room)
     fine = {run.mode: run for run in all if run.dx > 0.007}
     for mode in ("default", "paper"):
@@ -139,5 +138,5 @@ if __name__ == "__main__":
             latePicture(run, late, pictures / f"late-{mode}.png")
     shown = [run for run in all if run.mode in ("default", "paper")]
     centrePicture(shown, pictures / "centre.png")
-    studyPicture(all, pictures / "study.png")
+    studyPicture(figures / "figures.csv", pictures / "study.png")
     print(f"Pictures are in {pictures}")

@@ -53,7 +53,8 @@ def main(room):
     speeds(finest, figures / "speed.png")
     rows = [run.row() for run in found]
     figure, axes = plt.subplots(figsize=(5, 3.6))
-    workPrecision(axes, rows, "velocityError", "group")
+    groups = {row["group"]: row["group"] for row in rows}
+    workPrecision(axes, rows, "velocityError", "group", groups)
     axes.set(title="L2 error of the velocity over its rms")
     savePicture(figure, figures / "study.png")
     writeRows(figures / "figures.csv", rows)
