@@ -1,0 +1,209 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ulphSurfaceElevation.H"
+#include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(ulphSurfaceElevation, 0);
+    addToRunTimeSelectionTable
+    (
+        functionObject, ulphSurfaceElevation, dictionary
+    );
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarField
+Foam::functionObjects::ulphSurfaceElevation::filling(const point& gauge) const
+{
+    const ulphCloud& cloud = particles();
+    scalarField sums(nSamples_, Zero);
+
+    const auto add = [&](const label i, const vector& translation)
+    {
+        vector d(Zero);
+        for (int k = 0; k < cloud.D(); ++k)
+        {
+            const direction c = cloud.axis(k);
+            d[c] = cloud.x()(i, k) + translation[c] - gauge[c];
+        }
+        const scalar height = ((d + gauge) & up_) - foot_;
+        const scalar aside2 = magSqr(d) - sqr(d & up_);
+        if (aside2 >= sqr(reach_))
+        {
+            return;
+        }
+        const scalar along = std::sqrt(sqr(reach_) - aside2);
+        const label first = max(label(0), label(ceil((height - along)/step_)));
+        const label last =
+            min(nSamples_ - 1, label(floor((height + along)/step_)));
+        const scalar V =
+            cloud.mass()(i)/(cloud.rho0() + cloud.densityExcess()(i));
+        for (label s = first; s <= last; ++s)
+        {
+            const scalar r2 = aside2 + sqr(s*step_ - height);
+            sums[s] += V*weights_->weight(std::sqrt(max(r2, 0.0)));
+        }
+    };
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        add(i, Zero);
+        for (const vector& translation : cyclic_.translations())
+        {
+            add(i, translation);
+        }
+    }
+    reduce(sums, sumOp<scalarField>());
+    return sums;
+}
+
+
+Foam::FixedList<Foam::scalar, 3>
+Foam::functionObjects::ulphSurfaceElevation::heights(const point& gauge) const
+{
+    FixedList<scalar, 3> found(Zero);
+    found[0] = found[1] = foot_;
+
+    const scalarField sums(filling(gauge));
+    for (label s = 1; s < nSamples_; ++s)
+    {
+        if (sums[s - 1] >= 0.5 && sums[s] < 0.5)
+        {
+            const scalar part = (sums[s - 1] - 0.5)/(sums[s - 1] - sums[s]);
+            found[0] = foot_ + (s - 1 + part)*step_;
+            found[1] = found[2] > 0 ? found[1] : found[0];
+            ++found[2];
+        }
+    }
+    return found;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::ulphSurfaceElevation::ulphSurfaceElevation
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    ulphFunctionObject(name, runTime, dict, typeName),
+    cyclic_(mesh_)
+{
+    read(dict);
+    start();
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::string>
+Foam::functionObjects::ulphSurfaceElevation::remarks() const
+{
+    List<string> lines(1, "Heights of the free surface [m]");
+    forAll(gauges_, i)
+    {
+        OStringStream os;
+        os << "Gauge " << i << ' ' << gauges_[i];
+        lines.append(os.str());
+    }
+    return lines;
+}
+
+
+Foam::wordList Foam::functionObjects::ulphSurfaceElevation::columns() const
+{
+    wordList names;
+    forAll(gauges_, i)
+    {
+        for (const char* const quantity : {"highest", "lowest", "number"})
+        {
+            names.append(word(quantity) + '_' + Foam::name(i));
+        }
+    }
+    return names;
+}
+
+
+Foam::scalarList Foam::functionObjects::ulphSurfaceElevation::row()
+{
+    scalarList values;
+    for (const point& gauge : gauges_)
+    {
+        for (const scalar value : heights(gauge))
+        {
+            values.append(value);
+        }
+    }
+    return values;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::ulphSurfaceElevation::read(const dictionary& dict)
+{
+    const ulphCloud& cloud = particles();
+
+    dict.readEntry("gauges", gauges_);
+    if (!dict.readIfPresent("up", up_))
+    {
+        up_ = -uniformDimensionedVectorField
+        (
+            IOobject
+            (
+                "g", time_.constant(), mesh_, IOobject::MUST_READ,
+                IOobject::NO_WRITE, false
+            )
+        ).value();
+    }
+    vector solved(Zero);
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        solved[cloud.axis(k)] = up_[cloud.axis(k)];
+    }
+    if (mag(up_) < SMALL || mag(solved - up_) > SMALL*mag(up_))
+    {
+        FatalIOErrorInFunction(entryPlace(dict, "up"))
+            << "The direction " << up_ << " of the gauges is no direction of "
+            << "the " << cloud.D() << "-dimensional flow." << nl
+            << "    Give one that is not zero and not along an empty patch, "
+            << "for instance: up (0 1 0);"
+            << exit(FatalIOError);
+    }
+    up_ /= mag(up_);
+
+    const kernel weight(models().dict, cloud.D(), cloud.dx());
+    weights_ = weight.sums(false);
+    reach_ = 2*weight.h();
+
+    // From corner to corner of the mesh, and what the kernel reaches past it
+    scalar lower = GREAT;
+    scalar upper = -GREAT;
+    const pointField corners(mesh_.bounds().points());
+    for (const point& corner : corners)
+    {
+        lower = min(lower, corner & up_);
+        upper = max(upper, corner & up_);
+    }
+    foot_ = lower - reach_;
+    step_ = 0.25*cloud.dx();
+    nSamples_ = label((upper + reach_ - foot_)/step_) + 2;
+
+    return ulphFunctionObject::read(dict);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,37 @@
+"""Checks of the sloshing tank: check.py <room>."""
+
+import sys
+
+from tank import runs
+from ulphCase import Case, Checks
+from ulphStudy import figuresFolder, writeRows
+
+# Bounds of the error of the crests [s], relative, by spacing; coarse is the short
+# form's own
+CRESTS = {0.02: (0.06, 0.15), 0.01: (0.03, 0.05), 0.005: (0.03, 0.05)}
+
+
+def main(room):
+    check = Checks()
+    rows = []
+    for run in runs(room):
+        case, row = Case(run.folder), run.row()
+        name = run.folder.name + "."
+        check(name + "finished", case.finished(), 1, 1)
+        lost = row["particles"] - len(case.cloud(0)["x"])
+        check(name + "particlesLost", lost, 0, 0)
+        check(name + "volumeDrift", row["volumeDrift"], None, 0.005)
+        if run.what == "depth0.5":
+            late, low = CRESTS[run.dx]
+            for k in (1, 2, 3):
+                check(name + f"crest{k}.time", row[f"crest{k}Time"], -late, late)
+                check(name + f"crest{k}.height", row[f"crest{k}Height"], -low, low)
+        if run.what == "depth0.6":
+            check(name + "rms/largest", row["rms"], None, 0.12)
+        rows.append(row)
+    writeRows(figuresFolder(room) / "figures.csv", rows)
+    check.exit()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
