@@ -23,6 +23,7 @@ int main()
     tally t;
 
     fluidChecks(t);
+    packedChecks(t);
     initialChecks(t);
     wallChecks(t);
     curvedChecks(t);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checks.H"
+#include "pointGrid.H"
 #include "StringStream.H"
 #include "mathematicalConstants.H"
 #include <cmath>
@@ -111,6 +112,29 @@ Foam::scalar Foam::kernel
         nDims == 2 ? 7/(4*pi*sqr(h)) : 21/(16*pi*pow3(h));
 
     return scale*pow4(1 - 0.5*q)*(1 + 2*q);
+}
+
+
+Foam::scalar Foam::smallestGap(const UList<point>& points, const scalar dx)
+{
+    pointGrid grid(1.5*dx);
+    scalar gapSqr = GREAT;
+
+    for (const point& p : points)
+    {
+        grid.near
+        (
+            p,
+            [&](label, const scalar dSqr)
+            {
+                gapSqr = min(gapSqr, dSqr);
+                return true;
+            }
+        );
+        grid.append(p);
+    }
+
+    return std::sqrt(gapSqr);
 }
 
 
