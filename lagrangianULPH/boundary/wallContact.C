@@ -18,6 +18,39 @@ Foam::scalar Foam::wallContact::height(const plane& wall) const
 }
 
 
+void Foam::wallContact::findPlanes
+(
+    const label particle,
+    const scalar reach,
+    std::vector<plane>& found
+) const
+{
+    // What a wall already found shows at the distance reach is no other wall
+    const scalar nearer = 0.999*reach;
+
+    point place(cloud_.position(particle));
+    for (int n = 0; n < cloud_.D(); ++n)
+    {
+        const wallSearch::wallPoint nearest(search_.nearest(place, nearer));
+        if (!nearest.found())
+        {
+            return;
+        }
+        plane wall;
+        wall.particle = particle;
+        wall.offset = 0;
+        for (int k = 0; k < cloud_.D(); ++k)
+        {
+            const direction d = cloud_.axis(k);
+            wall.normal[k] = nearest.normal[d];
+            wall.offset += nearest.position[d]*nearest.normal[d];
+        }
+        found.push_back(wall);
+        place += (reach - nearest.distance)*nearest.normal;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::wallContact::wallContact(ulphCloud& cloud, const wallSearch& search)
@@ -43,43 +76,22 @@ void Foam::wallContact::update
     const int D = cloud_.D();
     const scalar reach = cloud_.dx() + neighbours.skin();
     const ulph::clusterList& list = neighbours.fluidList();
-
-    std::vector<plane> found(cloud_.size());
+    std::vector<std::vector<plane>> found(list.size());
 
     #pragma omp parallel for schedule(dynamic, 16)
     for (int i = 0; i < list.size(); ++i)
     {
         const ulph::clusterList::cluster& c = list[i];
-        for (int l = 0; l < c.count; ++l)
+        for (int l = 0; l < c.count && c.fluidEnd != c.end; ++l)
         {
-            plane& wall = found[c.first + l];
-            wall.particle = -1;
-            if (c.fluidEnd == c.end)
-            {
-                continue;
-            }
-            const wallSearch::wallPoint nearest
-            (
-                search_.nearest(cloud_.position(c.first + l), reach)
-            );
-            if (nearest.found())
-            {
-                wall.particle = c.first + l;
-                wall.offset = 0;
-                for (int k = 0; k < D; ++k)
-                {
-                    const direction d = cloud_.axis(k);
-                    wall.normal[k] = nearest.normal[d];
-                    wall.offset += nearest.position[d]*nearest.normal[d];
-                }
-            }
+            findPlanes(c.first + l, reach, found[i]);
         }
     }
 
     planes_.clear();
-    for (const plane& wall : found)
+    for (const std::vector<plane>& walls : found)
     {
-        if (wall.particle >= 0)
+        for (const plane& wall : walls)
         {
             planes_.push_back(wall);
             const scalar s = height(wall);
