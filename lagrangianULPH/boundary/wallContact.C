@@ -109,7 +109,7 @@ void Foam::wallContact::update
 }
 
 
-void Foam::wallContact::limitVelocity()
+void Foam::wallContact::limitVelocity(const vector& wallVelocity)
 {
     const int D = cloud_.D();
     for (const plane& wall : planes_)
@@ -121,7 +121,11 @@ void Foam::wallContact::limitVelocity()
         scalar approach = 0;
         for (int k = 0; k < D; ++k)
         {
-            approach -= cloud_.v().component(k)[wall.particle]*wall.normal[k];
+            approach +=
+                (
+                    wallVelocity[cloud_.axis(k)]
+                  - cloud_.v().component(k)[wall.particle]
+                )*wall.normal[k];
         }
         if (approach > 0)
         {

@@ -155,12 +155,14 @@ Foam::wallLayer::wallLayer
     const wallSearch& search,
     const wall& model,
     const bodyForce& force,
+    const wallMotion& motion,
     const equationOfState& state
 )
 :
     cloud_(cloud),
     model_(model),
     force_(force),
+    motion_(motion),
     state_(state),
     x_(cloud.D(), false),
     volume_(1, cloud.shared().mixed),
@@ -221,10 +223,17 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
 }
 
 
-void Foam::wallLayer::setBodyForce(const scalar t)
+void Foam::wallLayer::setTime(const scalar t)
 {
     const int D = cloud_.D();
-    vector f(force_.acceleration(Zero, t));
+    const vector wallV(motion_.velocity(t));
+    for (int k = 0; k < D; ++k)
+    {
+        wallV_[k] = wallV[cloud_.axis(k)];
+    }
+
+    const vector a(motion_.acceleration(t));
+    vector f(force_.acceleration(Zero, t) - a);
     point p(Zero);
     for (label i = 0; i < size(); ++i)
     {
@@ -234,7 +243,7 @@ void Foam::wallLayer::setBodyForce(const scalar t)
             {
                 p[cloud_.axis(k)] = x_(i, k);
             }
-            f = force_.acceleration(p, t);
+            f = force_.acceleration(p, t) - a;
         }
         for (int k = 0; k < D; ++k)
         {
@@ -266,7 +275,7 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
         for (int k = 0; k < D; ++k)
         {
             fluid[k][l] =
-                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] : 0;
+                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] - wallV_[k] : 0;
         }
     }
 
@@ -306,6 +315,14 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
         }
     }
     model_.viscousVelocity(sums.count, fluid, v, viscousV);
+    for (int k = 0; k < D; ++k)
+    {
+        for (int l = 0; l < sums.count; ++l)
+        {
+            v[k][l] += wallV_[k];
+            viscousV[k][l] += wallV_[k];
+        }
+    }
 
     densityExcess_.store(0, first, sums.count, rho1);
     v_.store(first, sums.count, v);

@@ -100,7 +100,7 @@ void Foam::rightHandSide::updateNeighbours()
 
 void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
 {
-    wall_.setBodyForce(t);
+    wall_.setTime(t);
     {
         ledger::section timer(ledger_, "pack");
         packFluid();

@@ -215,6 +215,7 @@ Foam::forceSink::forceSink
     cloud_(cloud),
     models_(models),
     t_(t),
+    force_(models.force->acceleration(Zero, t)),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
@@ -237,12 +238,11 @@ void Foam::forceSink::addBodyForce
     }
     if (force.uniform())
     {
-        const vector f(force.acceleration(Zero, t_));
         for (int k = 0; k < cloud_.D(); ++k)
         {
             for (label l = 0; l < n; ++l)
             {
-                a[k][l] += f[cloud_.axis(k)];
+                a[k][l] += force_[cloud_.axis(k)];
             }
         }
         return;

@@ -121,7 +121,16 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     models_(properties_, cloud_),
     search_(mesh),
     locator_(mesh),
-    wall_(cloud_, search_, *models_.boundary, *models_.force, *models_.state),
+    motion_(properties_, time),
+    wall_
+    (
+        cloud_,
+        search_,
+        *models_.boundary,
+        *models_.force,
+        motion_,
+        *models_.state
+    ),
     neighbours_
     (
         cloud_,
@@ -148,7 +157,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
 
     limitThreads();
 
-    tools_.reset(new stepTools(rates_, contact_, guard_));
+    tools_.reset(new stepTools(rates_, contact_, motion_, guard_));
     tools_->setMaxAcceleration
     (
         cloud_.readProperties(time.timeName()).getOrDefault<scalar>

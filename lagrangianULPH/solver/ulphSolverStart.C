@@ -44,7 +44,7 @@ void Foam::ulphSolver::checkKeywords()
     wordList valid
     ({
         "mode", "dx", "rho0", "c0", "precision", "fields", "skin", "regions",
-        "guard", "kernel", "hByDx"
+        "guard", "kernel", "hByDx", "wallMotion"
     });
     for (const effect& e : models_.all())
     {

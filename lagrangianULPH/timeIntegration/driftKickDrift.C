@@ -40,7 +40,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     rightHandSide& rates = tools.rates();
     const scalar middle = t + 0.5*dt;
 
-    tools.drift(0.5*dt);
+    tools.drift(t, 0.5*dt);
     tools.updateNeighbours();
     rates.geometry(middle, rightHandSide::laplacian::later);
     tools.advanceDensity(0.5*dt, 0);
@@ -48,7 +48,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     tools.kick(dt);
     rates.divergence();
     tools.advanceDensity(0.5*dt, dt);
-    tools.drift(0.5*dt);
+    tools.drift(middle, 0.5*dt);
     tools.shift(dt);
 }
 

@@ -44,7 +44,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     rates.force(t, false);
 
     tools.save();
-    tools.drift(0.5*dt);
+    tools.drift(t, 0.5*dt);
     tools.kick(0.5*dt);
     tools.advanceDensity(0.5*dt, 0.5*dt);
 
@@ -52,7 +52,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     rates.geometry(t + 0.5*dt, rightHandSide::laplacian::now);
     rates.force(t + 0.5*dt, false);
 
-    tools.advanceSaved(dt);
+    tools.advanceSaved(t, dt);
     tools.shift(dt);
 }
 

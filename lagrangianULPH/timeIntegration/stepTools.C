@@ -37,11 +37,13 @@ Foam::stepTools::stepTools
 (
     rightHandSide& rates,
     wallContact& contact,
+    const wallMotion& motion,
     const guard& check
 )
 :
     rates_(rates),
     contact_(contact),
+    motion_(motion),
     guard_(check)
 {
     measureSpeed();
@@ -62,7 +64,7 @@ void Foam::stepTools::measureSpeed()
         scalar v2 = 0;
         for (int k = 0; k < D; ++k)
         {
-            v2 += sqr(cloud.v().component(k)[i]);
+            v2 += sqr(cloud.v().component(k)[i] - wallVelocity_[cloud.axis(k)]);
         }
         max2 = v2 > max2 ? v2 : max2;
     }
@@ -80,27 +82,29 @@ void Foam::stepTools::updateNeighbours()
 }
 
 
-void Foam::stepTools::drift(const scalar dt)
+void Foam::stepTools::drift(const scalar t, const scalar dt)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
+    wallVelocity_ = motion_.meanVelocity(t, dt);
 
     {
         energyBudget::change work
         (
             contactBudget(), energyBudget::contact, &energyBudget::kinetic
         );
-        contact_.limitVelocity();
+        contact_.limitVelocity(wallVelocity_);
     }
     for (int k = 0; k < cloud.D(); ++k)
     {
         double* const x = cloud.x().component(k);
         const double* const v = cloud.v().component(k);
+        const scalar wallV = wallVelocity_[cloud.axis(k)];
 
         #pragma omp parallel for schedule(static)
         for (label i = 0; i < cloud.size(); ++i)
         {
-            x[i] += dt*v[i];
+            x[i] += dt*(v[i] - wallV);
         }
     }
 }
@@ -297,7 +301,7 @@ void Foam::stepTools::save()
 }
 
 
-void Foam::stepTools::advanceSaved(const scalar dt)
+void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
 {
     const auto addTo = [](const particleField& from, const scalar s, particleField& to)
     {
@@ -325,7 +329,7 @@ void Foam::stepTools::advanceSaved(const scalar dt)
         book->setOffset(&fields[1].saved, &fields[2].saved);
     }
 
-    drift(dt);
+    drift(t, dt);
     advanceDensity(dt, dt);
     kick(dt);
     for (const savedField& field : fields)

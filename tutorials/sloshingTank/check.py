@@ -14,8 +14,10 @@ CRESTS = {0.02: (0.06, 0.15), 0.01: (0.03, 0.05), 0.005: (0.03, 0.05)}
 def main(room):
     check = Checks()
     rows = []
-    for run in runs(room):
-        case, row = Case(run.folder), run.row()
+    found = runs(room)
+    fixed = {run.dx: run for run in found if run.what == "depth0.5"}
+    for run in found:
+        case, row = Case(run.folder), {**run.row(), "difference": float("nan")}
         name = run.folder.name + "."
         check(name + "finished", case.finished(), 1, 1)
         lost = row["particles"] - len(case.cloud(0)["x"])
@@ -28,6 +30,9 @@ def main(room):
                 check(name + f"crest{k}.height", row[f"crest{k}Height"], -low, low)
         if run.what == "depth0.6":
             check(name + "rms/largest", row["rms"], None, 0.12)
+        if run.what == "movingWalls":
+            row["difference"] = run.difference(fixed[run.dx])
+            check(name + "difference", row["difference"], None, 0.01)
         rows.append(row)
     writeRows(figuresFolder(room) / "figures.csv", rows)
     check.exit()

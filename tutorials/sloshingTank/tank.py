@@ -62,6 +62,17 @@ class Run:
         error = np.interp(t[inside], self.times, self.elevations[0]) - eta[inside]
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
 
+    def difference(self, other):
+        """Largest difference of the elevations from another run's, over its maximum."""
+        end = min(self.times[-1], other.times[-1])
+        t = np.linspace(0, end, 2001)
+        largest = []
+        for own, others in zip(self.elevations, other.elevations):
+            others = np.interp(t, other.times, others)
+            apart = np.interp(t, self.times, own) - others
+            largest.append(np.abs(apart).max() / np.abs(others).max())
+        return max(largest)
+
     def row(self):
         errors = self.crestErrors() if self.what == "depth0.5" else np.zeros((0, 2))
         row = {"run": self.folder.name, "dx": self.dx, "end": float(self.times[-1])}

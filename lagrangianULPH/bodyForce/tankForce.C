@@ -1,0 +1,39 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "tankForce.H"
+#include "addToRunTimeSelectionTable.H"
+#include "gravityForce.H"
+#include "ulphCloud.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace bodyForces
+{
+    defineTypeNameAndDebug(tankForce, 0);
+    addToRunTimeSelectionTable(bodyForce, tankForce, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bodyForces::tankForce::tankForce
+(
+    const dictionary& dict,
+    const ulphCloud& cloud
+)
+:
+    motion_(dict, cloud.mesh().time())
+{
+    if (dict.getOrDefault("gravity", true))
+    {
+        gravity_.reset(new gravityForce(dict, cloud));
+    }
+}
+
+
+// ************************************************************************* //
