@@ -66,9 +66,13 @@ Foam::rig::rig
     dict_(parse(properties)),
     weight_(dict_, where.mesh.nGeometricD(), dict_.get<scalar>("dx")),
     search_(where.mesh),
+    motion_(dict_, where.time),
     cloud(where.mesh, shared(dict_, weight_), wordRes()),
     models(dict_, cloud),
-    wall(cloud, search_, *models.boundary, *models.force, *models.state),
+    wall
+    (
+        cloud, search_, *models.boundary, *models.force, motion_, *models.state
+    ),
     neighbours(cloud, wall, weight_, dict_.getOrDefault<scalar>("skin", 0.2)),
     contact(cloud, search_),
     plan(models, cloud),
