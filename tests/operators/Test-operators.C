@@ -34,6 +34,7 @@ int main(int argc, char* argv[])
         {"list", listChecks},
         {"pairSum", pairSumChecks},
         {"model", modelChecks},
+        {"contact", contactChecks},
         {"operator", operatorChecks},
         {"symmetry", symmetryChecks},
         {"precision", precisionChecks}
