@@ -4,46 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "codedInitialField.H"
-#include "dynamicCode.H"
-#include "dynamicCodeContext.H"
-#include "OSspecific.H"
-#include "PstreamReduceOps.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<class Type>
-std::string Foam::initialFields::coded<Type>::source
-(
-    const std::string& include,
-    const std::string& localCode,
-    const std::string& code,
-    const word& functionName
-)
-{
-    const std::string type(pTraits<Type>::typeName);
-
-    return
-        "#include \"point.H\"\n"
-        "#include \"tensor.H\"\n"
-        "#include \"mathematicalConstants.H\"\n"
-        "#include \"unitConversion.H\"\n"
-      + include + "\n"
-        "namespace Foam\n{\n"
-      + localCode + "\n"
-        "static " + type + " valueAt(const point& position)\n{\n"
-      + code + "\n}\n}\n"
-        "extern \"C\" void " + functionName + "\n"
-        "(\n"
-        "    const Foam::point* positions,\n"
-        "    Foam::" + type + "* values,\n"
-        "    const Foam::label n\n"
-        ")\n{\n"
-        "    for (Foam::label i = 0; i < n; ++i)\n"
-        "    {\n"
-        "        values[i] = Foam::valueAt(positions[i]);\n"
-        "    }\n}\n";
-}
-
+#include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -51,64 +12,12 @@ template<class Type>
 Foam::initialFields::coded<Type>::coded
 (
     const dictionary& dict,
-    const initialRegion&
+    const initialRegion& region
 )
 :
-    evaluate_(nullptr)
-{
-    dynamicCode::checkSecurity("initialFields::coded", dict);
-
-    const dynamicCodeContext context(dict);
-    const word name
-    (
-        "initial_" + word(pTraits<Type>::typeName) + context.sha1().str(true)
-    );
-
-    dynamicCode library(name);
-    bool made = true;
-
-    if (Pstream::master() && !isFile(library.libPath(), false))
-    {
-        library.reset(context);
-        library.addCreateFile
-        (
-            "initialField.C",
-            source(context.include(), context.localCode(), context.code(), name)
-        );
-        library.addCreateFile
-        (
-            "Make/files",
-            "initialField.C\n\n"
-            "LIB = $(PWD)/../platforms/$(WM_OPTIONS)/lib/lib" + name
-        );
-        library.addCreateFile
-        (
-            "Make/options",
-            "EXE_INC = \\\n" + context.options()
-          + "\n\nLIB_LIBS = \\\n" + context.libs()
-        );
-
-        made = library.copyOrCreateFiles(true) && library.wmakeLibso();
-    }
-
-    reduce(made, andOp<bool>());
-
-    void* handle = made ? dlOpen(library.libPath()) : nullptr;
-
-    if (handle)
-    {
-        evaluate_ = reinterpret_cast<evaluator>(dlSymFind(handle, name));
-    }
-
-    if (!evaluate_)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Could not compile or load the code of this field." << nl
-            << "The compiler's messages are above, its input in "
-            << library.codePath() << nl
-            << exit(FatalIOError);
-    }
-}
+    function_(dict),
+    time_(region.time.value())
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -121,7 +30,10 @@ Foam::tmp<Foam::Field<Type>> Foam::initialFields::coded<Type>::value
 {
     auto tvalues = tmp<Field<Type>>::New(positions.size());
 
-    evaluate_(positions.cdata(), tvalues.ref().data(), positions.size());
+    function_.evaluate
+    (
+        time_, positions.cdata(), tvalues.ref().data(), positions.size()
+    );
 
     return tvalues;
 }
