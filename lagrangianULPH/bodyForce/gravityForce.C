@@ -5,7 +5,7 @@
 
 #include "gravityForce.H"
 #include "addToRunTimeSelectionTable.H"
-#include "uniformDimensionedFields.H"
+#include "gravityMeshObject.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,21 +22,7 @@ namespace bodyForces
 
 Foam::bodyForces::gravityForce::gravityForce(const dictionary&, const ulphCloud& cloud)
 :
-    g_
-    (
-        uniformDimensionedVectorField
-        (
-            IOobject
-            (
-                "g",
-                cloud.mesh().time().constant(),
-                cloud.mesh().time(),
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            )
-        ).value()
-    )
+    g_(meshObjects::gravity::New(cloud.mesh().time()).value())
 {}
 
 

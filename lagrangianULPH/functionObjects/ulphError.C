@@ -89,19 +89,19 @@ Foam::scalar Foam::functionObjects::ulphError::pressureLevel() const
         return 0;
     }
     const ulphCloud& cloud = particles();
-    scalar sum = 0;
-    scalar volume = 0;
-    for (label i = 0; i < cloud.size(); ++i)
+    const auto volume = [&](const label i)
     {
-        const scalar rho1 = cloud.densityExcess()(i);
-        const scalar V = cloud.mass()(i)/(cloud.rho0() + rho1);
-        volume += V;
-        sum +=
-            V*(models().state->pressure(rho1) - exact_->p(cloud.position(i)));
-    }
-    reduce(sum, sumOp<scalar>());
-    reduce(volume, sumOp<scalar>());
-    return sum/max(volume, VSMALL);
+        return cloud.mass()(i)/(cloud.rho0() + cloud.densityExcess()(i));
+    };
+    const auto error = [&](const label i)
+    {
+        return
+            models().state->pressure(cloud.densityExcess()(i))
+          - exact_->p(cloud.position(i));
+    };
+    return
+        sum([&](const label i) { return volume(i)*error(i); })
+       /max(sum(volume), VSMALL);
 }
 
 

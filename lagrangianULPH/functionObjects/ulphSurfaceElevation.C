@@ -6,7 +6,7 @@
 #include "ulphSurfaceElevation.H"
 #include "addToRunTimeSelectionTable.H"
 #include "inputChecks.H"
-#include "uniformDimensionedFields.H"
+#include "gravityMeshObject.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,21 +30,15 @@ Foam::functionObjects::ulphSurfaceElevation::filling(const point& gauge) const
     const ulphCloud& cloud = particles();
     scalarField sums(nSamples_, Zero);
 
-    const auto add = [&](const label i, const vector& translation)
+    forParticles(gauge, [&](const label i, const vector& d)
     {
-        vector d(Zero);
-        for (int k = 0; k < cloud.D(); ++k)
-        {
-            const direction c = cloud.axis(k);
-            d[c] = cloud.x()(i, k) + translation[c] - gauge[c];
-        }
         const scalar height = ((d + gauge) & up_) - foot_;
         const scalar aside2 = magSqr(d) - sqr(d & up_);
-        if (aside2 >= sqr(reach_))
+        if (aside2 >= sqr(reach()))
         {
             return;
         }
-        const scalar along = std::sqrt(sqr(reach_) - aside2);
+        const scalar along = std::sqrt(sqr(reach()) - aside2);
         const label first = max(label(0), label(ceil((height - along)/step_)));
         const label last =
             min(nSamples_ - 1, label(floor((height + along)/step_)));
@@ -53,26 +47,20 @@ Foam::functionObjects::ulphSurfaceElevation::filling(const point& gauge) const
         for (label s = first; s <= last; ++s)
         {
             const scalar r2 = aside2 + sqr(s*step_ - height);
-            sums[s] += V*weights_->weight(std::sqrt(max(r2, 0.0)));
+            sums[s] += V*weight(std::sqrt(max(r2, 0.0)));
         }
-    };
-    for (label i = 0; i < cloud.size(); ++i)
-    {
-        add(i, Zero);
-        for (const vector& translation : cyclic_.translations())
-        {
-            add(i, translation);
-        }
-    }
+    });
     reduce(sums, sumOp<scalarField>());
     return sums;
 }
 
 
-Foam::FixedList<Foam::scalar, 3>
-Foam::functionObjects::ulphSurfaceElevation::heights(const point& gauge) const
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList
+Foam::functionObjects::ulphSurfaceElevation::valuesAt(const point& gauge) const
 {
-    FixedList<scalar, 3> found(Zero);
+    scalarList found(3, Zero);
     found[0] = found[1] = foot_;
 
     const scalarField sums(filling(gauge));
@@ -99,55 +87,10 @@ Foam::functionObjects::ulphSurfaceElevation::ulphSurfaceElevation
     const dictionary& dict
 )
 :
-    ulphFunctionObject(name, runTime, dict, typeName),
-    cyclic_(mesh_)
+    ulphPointSamples(name, runTime, dict, typeName)
 {
     read(dict);
     start();
-}
-
-
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-Foam::List<Foam::string>
-Foam::functionObjects::ulphSurfaceElevation::remarks() const
-{
-    List<string> lines(1, "Heights of the free surface [m]");
-    forAll(gauges_, i)
-    {
-        OStringStream os;
-        os << "Gauge " << i << ' ' << gauges_[i];
-        lines.append(os.str());
-    }
-    return lines;
-}
-
-
-Foam::wordList Foam::functionObjects::ulphSurfaceElevation::columns() const
-{
-    wordList names;
-    forAll(gauges_, i)
-    {
-        for (const char* const quantity : {"highest", "lowest", "number"})
-        {
-            names.append(word(quantity) + '_' + Foam::name(i));
-        }
-    }
-    return names;
-}
-
-
-Foam::scalarList Foam::functionObjects::ulphSurfaceElevation::row()
-{
-    scalarList values;
-    for (const point& gauge : gauges_)
-    {
-        for (const scalar value : heights(gauge))
-        {
-            values.append(value);
-        }
-    }
-    return values;
 }
 
 
@@ -157,17 +100,10 @@ bool Foam::functionObjects::ulphSurfaceElevation::read(const dictionary& dict)
 {
     const ulphCloud& cloud = particles();
 
-    dict.readEntry("gauges", gauges_);
+    readPoints(dict, "gauges");
     if (!dict.readIfPresent("up", up_))
     {
-        up_ = -uniformDimensionedVectorField
-        (
-            IOobject
-            (
-                "g", time_.constant(), mesh_, IOobject::MUST_READ,
-                IOobject::NO_WRITE, false
-            )
-        ).value();
+        up_ = -meshObjects::gravity::New(time_).value();
     }
     vector solved(Zero);
     for (int k = 0; k < cloud.D(); ++k)
@@ -185,10 +121,6 @@ bool Foam::functionObjects::ulphSurfaceElevation::read(const dictionary& dict)
     }
     up_ /= mag(up_);
 
-    const kernel weight(models().dict, cloud.D(), cloud.dx());
-    weights_ = weight.sums(false);
-    reach_ = 2*weight.h();
-
     // From corner to corner of the mesh, and what the kernel reaches past it
     scalar lower = GREAT;
     scalar upper = -GREAT;
@@ -198,9 +130,9 @@ bool Foam::functionObjects::ulphSurfaceElevation::read(const dictionary& dict)
         lower = min(lower, corner & up_);
         upper = max(upper, corner & up_);
     }
-    foot_ = lower - reach_;
+    foot_ = lower - reach();
     step_ = 0.25*cloud.dx();
-    nSamples_ = label((upper + reach_ - foot_)/step_) + 2;
+    nSamples_ = label((upper + reach() - foot_)/step_) + 2;
 
     return ulphFunctionObject::read(dict);
 }

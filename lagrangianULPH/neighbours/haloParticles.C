@@ -126,11 +126,16 @@ void Foam::haloParticles::make(const scalar width)
     }
     cloud_.setHalo(view.n);
     copyPositions();
+    copy(cloud_.mass());
 }
 
 
 void Foam::haloParticles::copyPositions()
 {
+    if (images_.empty())
+    {
+        return;
+    }
     const label n = label(images_.size());
     for (int k = 0; k < cloud_.D(); ++k)
     {
@@ -150,6 +155,10 @@ void Foam::haloParticles::copyPositions()
 
 void Foam::haloParticles::copy(particleField& field) const
 {
+    if (images_.empty())
+    {
+        return;
+    }
     const label n = label(images_.size());
     for (int c = 0; c < field.nComponents(); ++c)
     {

@@ -14,7 +14,6 @@ void Foam::rightHandSide::packFluid()
     halo.copyPositions();
     halo.copy(cloud_.v());
     halo.copy(cloud_.densityExcess());
-    halo.copy(cloud_.mass());
 
     forTiles(cloud_.total(), [&](const label first, const label count)
     {
