@@ -30,26 +30,34 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         // Members that have seen a surface particle, and any fluid, in reach
         ulph::laneRow sawSurface = {};
         ulph::laneRow sawFluid = {};
-        ulph::laneRow members[3];
+        ulph::laneRow members[3] = {};
         for (int k = 0; k < D_; ++k)
         {
             x.load(k, c.first, c.count, members[k]);
         }
+        // Over all lanes, so that the length of the loops is known: lanes
+        // beyond the members are not read
         const auto look = [&](const std::uint32_t j, ulph::laneRow& saw)
         {
             ulph::laneRow r2 = {};
             for (int k = 0; k < D_; ++k)
             {
                 const scalar xj = x.component(k)[j];
-                for (int l = 0; l < c.count; ++l)
+                for (int l = 0; l < ulph::maxLanes; ++l)
                 {
                     r2[l] += sqr(xj - members[k][l]);
                 }
             }
-            for (int l = 0; l < c.count; ++l)
+            const label self = label(j) - c.first;
+            const scalar before =
+                self >= 0 && self < c.count ? saw[self] : 0;
+            for (int l = 0; l < ulph::maxLanes; ++l)
             {
-                const bool in = r2[l] < sqr(2*h_) && label(j) != c.first + l;
-                saw[l] = in ? 1 : saw[l];
+                saw[l] = r2[l] < sqr(2*h_) ? 1 : saw[l];
+            }
+            if (self >= 0 && self < c.count)
+            {
+                saw[self] = before;
             }
         };
 
