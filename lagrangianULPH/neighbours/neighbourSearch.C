@@ -38,7 +38,10 @@ void Foam::neighbourSearch::build()
     // Wall particles in reach of an image see what is in reach of them
     halo_.make(wall_.any() ? 2*reach : reach);
     wall_.update(fluidGrid_, reach + farthest_);
-    wall_.permute(wallGrid_.sort(wall_.view()));
+    if (wall_.any())
+    {
+        wall_.permute(wallGrid_.sort(wall_.view()));
+    }
 
     const ulph::clusterList::sourceGroup fluid
     {

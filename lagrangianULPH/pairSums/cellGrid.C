@@ -136,12 +136,12 @@ cellLayout::cellLayout
     }
 }
 
-const std::vector<int>& cellGrid::sort(const particleView& particles)
+std::vector<int> cellGrid::sort(const particleView& particles)
 {
     const cellLayout& cells = *layout_;
     const int n = particles.n;
 
-    rankOf_.resize(n);
+    std::vector<int> rankOf(n);
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
@@ -150,26 +150,26 @@ const std::vector<int>& cellGrid::sort(const particleView& particles)
         {
             c[k] = cells.coordinate(k, particles.x[k][i]);
         }
-        rankOf_[i] = cells.rank(c[0], c[1], c[2]);
+        rankOf[i] = cells.rank(c[0], c[1], c[2]);
     }
 
     first_.assign(cells.nCells() + 1, 0);
     for (int i = 0; i < n; ++i)
     {
-        ++first_[rankOf_[i] + 1];
+        ++first_[rankOf[i] + 1];
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
 
-    order_.resize(n);
+    std::vector<int> order(n);
     for (int i = 0; i < n; ++i)
     {
-        order_[first_[rankOf_[i]]++] = i;
+        order[first_[rankOf[i]]++] = i;
     }
     // Filling has moved every start to the next one
     std::copy_backward(first_.begin(), first_.end() - 1, first_.end());
     first_.front() = 0;
 
-    return order_;
+    return order;
 }
 
 } // End namespace ulph

@@ -122,6 +122,27 @@ void cellDistances
     }
 }
 
+// Room for as much again per cluster as so far: doubling, as vectors do, would
+// waste a quarter of the largest array on average
+void makeRoom
+(
+    std::vector<std::uint32_t>& listed,
+    const int nDone,
+    const int nClusters
+)
+{
+    const std::size_t size = listed.size();
+    if (nDone == 0 || listed.capacity() - size > size/64)
+    {
+        return;
+    }
+    const std::size_t expected = std::size_t(double(size)*nClusters/nDone);
+    if (expected > listed.capacity())
+    {
+        listed.reserve(std::max(expected + expected/64, size + size/32));
+    }
+}
+
 // Append the sources closer to a member than reach, cell by cell
 template<int D>
 void listSources
@@ -197,6 +218,7 @@ void clusterList::formClusters
     const particleView& p = targets.particles;
 
     clusters_.clear();
+    clusters_.reserve(p.n/width + 1);
     int first = 0;
     while (first < p.n)
     {
@@ -244,9 +266,11 @@ void clusterList::build
     {
         std::vector<std::uint32_t>& part = parts_[t];
         part.clear();
+        const int start = int(std::int64_t(nClusters)*t/nParts);
         const int last = int(std::int64_t(nClusters)*(t + 1)/nParts);
-        for (int c = int(std::int64_t(nClusters)*t/nParts); c < last; ++c)
+        for (int c = start; c < last; ++c)
         {
+            makeRoom(part, c - start, last - start);
             cluster& now = clusters_[c];
             now.part = t;
             const int first = now.first - targets.offset;
@@ -266,18 +290,12 @@ void clusterList::build
             now.end = part.size();
         }
     }
-}
 
-double clusterList::meanListed() const
-{
-    double sum = 0;
-    double n = 0;
+    nPairs_ = 0;
     for (const cluster& c : clusters_)
     {
-        sum += double(c.end - c.begin)*c.count;
-        n += c.count;
+        nPairs_ += double(c.end - c.begin)*c.count;
     }
-    return n > 0 ? sum/n : 0;
 }
 
 std::size_t clusterList::bytes() const

@@ -71,6 +71,7 @@ void Foam::ledger::report(Ostream& os) const
 
     os  << "Ledger" << nl
         << "    section              CPU s     clock s   per cent  ns/particle-step"
+        << "  million pairs/CPU s"
         << nl;
     for (const word& name : names_)
     {
@@ -84,7 +85,17 @@ void Foam::ledger::report(Ostream& os) const
             100*cpu_[name]/max(cpu, VSMALL),
             1e9*cpu_[name]/max(particleSteps_, scalar(1))
         );
-        os  << line << nl;
+        os  << line;
+        if (pairs_.found(name))
+        {
+            std::snprintf
+            (
+                line, sizeof(line), "  %19.1f",
+                1e-6*pairs_[name]/max(cpu_[name], VSMALL)
+            );
+            os  << line;
+        }
+        os  << nl;
     }
     os  << "    steps " << nSteps_
         << ", particle-steps " << particleSteps_

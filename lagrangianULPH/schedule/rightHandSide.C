@@ -128,6 +128,7 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
     }
     {
         ledger::section timer(ledger_, "geometryPass");
+        timer.addPairs(search_.fluidList().nPairs());
         geometrySink sink
         (
             cloud_, models_, t, surfaceFirst, sums & ulph::laplacianSums
@@ -193,6 +194,7 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     }
 
     ledger::section timer(ledger_, "forcePass");
+    timer.addPairs(search_.fluidList().nPairs());
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
     forceSink sink(cloud_, models_, t);
@@ -218,6 +220,7 @@ void Foam::rightHandSide::divergence()
     updateWalls(false);
 
     ledger::section timer(ledger_, "divergencePass");
+    timer.addPairs(search_.fluidList().nPairs());
     divergenceSink sink(cloud_, models_);
     search_.sums().geometry
     (
