@@ -194,6 +194,18 @@ ulph::particleView Foam::wallLayer::view() const
 }
 
 
+Foam::point Foam::wallLayer::position(const label i) const
+{
+    // The empty direction is that of the mid-plane
+    point p(cloud_.mesh().bounds().midpoint());
+    for (int k = 0; k < cloud_.D(); ++k)
+    {
+        p[cloud_.axis(k)] = x_(i, k);
+    }
+    return p;
+}
+
+
 void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
 {
     if (!particles_)

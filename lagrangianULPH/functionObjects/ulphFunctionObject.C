@@ -51,6 +51,35 @@ void Foam::functionObjects::ulphFunctionObject::start()
 }
 
 
+void Foam::functionObjects::ulphFunctionObject::writeRow
+(
+    const wordList& names,
+    const scalarList& values
+)
+{
+    if (!headerWritten_)
+    {
+        for (const string& remark : remarks())
+        {
+            writeHeader(file(), remark);
+        }
+        writeCommented(file(), "Time");
+        for (const word& column : names)
+        {
+            writeTabbed(file(), column);
+        }
+        file() << endl;
+        headerWritten_ = true;
+    }
+    writeCurrentTime(file());
+    for (const scalar value : values)
+    {
+        file() << tab << setw(charWidth()) << value;
+    }
+    file() << endl;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::ulphFunctionObject::read(const dictionary& dict)
@@ -80,26 +109,7 @@ bool Foam::functionObjects::ulphFunctionObject::write()
 
     if (writeToFile())
     {
-        if (!headerWritten_)
-        {
-            for (const string& remark : remarks())
-            {
-                writeHeader(file(), remark);
-            }
-            writeCommented(file(), "Time");
-            for (const word& column : names)
-            {
-                writeTabbed(file(), column);
-            }
-            file() << endl;
-            headerWritten_ = true;
-        }
-        writeCurrentTime(file());
-        for (const scalar value : values)
-        {
-            file() << tab << setw(charWidth()) << value;
-        }
-        file() << endl;
+        writeRow(names, values);
     }
     return true;
 }

@@ -5,6 +5,7 @@
 
 #include "ulphProbes.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 
 #include <Eigen/Eigenvalues>
 
@@ -20,9 +21,74 @@ namespace functionObjects
 }
 
 
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where) const
+void Foam::functionObjects::ulphProbes::makeFace(const dictionary& dict)
+{
+    const vector normal(dict.get<vector>("normal"));
+    const ulphCloud& cloud = particles();
+    const scalar radius = 0.5*diameter_;
+
+    vector solved(Zero);
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        solved[cloud.axis(k)] = normal[cloud.axis(k)];
+    }
+    if (mag(solved) < SMALL)
+    {
+        FatalIOErrorInFunction(entryPlace(dict, "normal"))
+            << "The face of a sensor has no normal " << normal << " in the "
+            << cloud.D() << "-dimensional flow." << nl
+            << "    Give the normal of its wall, for instance: normal (1 0 0);"
+            << exit(FatalIOError);
+    }
+    const vector n(solved/mag(solved));
+
+    // Two directions in the face; in 2D the other one is empty
+    vector along(Zero);
+    for (int k = 0; k < cloud.D() && mag(along) < 0.5; ++k)
+    {
+        vector axis(Zero);
+        axis[cloud.axis(k)] = 1;
+        along = axis - (axis & n)*n;
+    }
+    along /= mag(along);
+    const vector across(cloud.D() == 3 ? n ^ along : vector(Zero));
+
+    // Squares of at most dx/2, by their centres
+    const label half = label(std::ceil(radius/(0.5*cloud.dx())));
+    const scalar step = radius/half;
+    faceOffsets_.clear();
+    faceWeights_.clear();
+    for (label i = -half; i < half; ++i)
+    {
+        for (label j = -half; j < (cloud.D() == 3 ? half : 1 - half); ++j)
+        {
+            const scalar a = (i + 0.5)*step;
+            const scalar b = (j + 0.5)*step;
+            if (cloud.D() == 2)
+            {
+                // The disc's chord there
+                faceOffsets_.append(a*along);
+                faceWeights_.append(std::sqrt(sqr(radius) - sqr(a)));
+            }
+            else if (sqr(a) + sqr(b) < sqr(radius))
+            {
+                faceOffsets_.append(a*along + b*across);
+                faceWeights_.append(1);
+            }
+        }
+    }
+    const scalar total = Foam::sum(faceWeights_);
+    for (scalar& weight : faceWeights_)
+    {
+        weight /= total;
+    }
+}
+
+
+Foam::scalarList
+Foam::functionObjects::ulphProbes::fit(const neighbours& near, const vector& offset) const
 {
     // Below this part of the largest eigenvalue of A it is not inverted
     constexpr scalar determined = 1e-3;
@@ -33,12 +99,14 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
 
     Eigen::Matrix4d A(Eigen::Matrix4d::Zero());
     Eigen::Matrix4d sums(Eigen::Matrix4d::Zero());
-    forParticles(where, [&](const label i, const vector& d)
+    for (const auto& neighbour : near)
     {
+        const label i = neighbour.first();
+        const vector d(neighbour.second() - offset);
         const scalar r = mag(d);
         if (r >= reach())
         {
-            return;
+            continue;
         }
         Eigen::Vector4d b(Eigen::Vector4d::Zero());
         for (int k = 0; k < D; ++k)
@@ -55,7 +123,7 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
         const Eigen::RowVector4d f(state.pressure(rho1), v.x(), v.y(), v.z());
         A += wV*b*b.transpose();
         sums += wV*b*f;
-    });
+    }
     for (Eigen::Matrix4d* const matrix : {&A, &sums})
     {
         for (label c = 0; c < label(matrix->size()); ++c)
@@ -93,6 +161,40 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
 }
 
 
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where) const
+{
+    neighbours near;
+    const scalar farthest = reach() + 0.5*diameter_;
+    forParticles(where, [&](const label i, const vector& d)
+    {
+        if (magSqr(d) < sqr(farthest))
+        {
+            near.append(neighbours::value_type(i, d));
+        }
+    });
+
+    // On a wall half of the kernel sees fluid, at the fluid's edge a quarter
+    constexpr scalar wet = 0.25;
+
+    scalarList mean(5, Zero);
+    forAll(faceOffsets_, s)
+    {
+        scalarList values(fit(near, faceOffsets_[s]));
+        if (diameter_ > 0 && values[0] < wet)
+        {
+            values = 0;
+        }
+        forAll(mean, c)
+        {
+            mean[c] += faceWeights_[s]*values[c];
+        }
+    }
+    return mean;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::ulphProbes::ulphProbes
@@ -115,6 +217,17 @@ bool Foam::functionObjects::ulphProbes::read(const dictionary& dict)
 {
     readPoints(dict, "points");
     moving_ = dict.getOrDefault("moving", true);
+
+    faceOffsets_ = DynamicList<vector>(1, vector(Zero));
+    faceWeights_ = DynamicList<scalar>(1, 1.0);
+    diameter_ =
+        dict.found("diameter")
+      ? getInRange(dict, "diameter", scalarMinMax::ge(SMALL))
+      : 0;
+    if (diameter_ > 0)
+    {
+        makeFace(dict);
+    }
 
     return ulphFunctionObject::read(dict);
 }

@@ -139,6 +139,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
         getInRange(properties_, "skin", 0.2, scalarMinMax(0, 2))
     ),
     contact_(cloud_, search_),
+    load_(mesh, cloud_, models_, wall_, neighbours_, search_),
     schedule_(models_, cloud_),
     guard_(properties_, cloud_, [this]() { writeCloud(); }),
     rates_

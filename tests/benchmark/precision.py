@@ -55,14 +55,14 @@ if __name__ == "__main__":
         table = csv.writer(file)
         table.writerow(["case", "figure", "mixed", "double", "bound",
                         "difference/bound", "CPU s mixed", "CPU s double"])
-        for case, figures in (("oscillatingDroplet", droplet),
-                              ("rotatingSquare", square),
-                              ("damBreak2D", damBreak)):
+        for case, run, figures in (("oscillatingDroplet", "R25", droplet),
+                                   ("rotatingSquare", "L100", square),
+                                   ("damBreak2D", "T8", damBreak)):
             sys.path.insert(0, str(TUTORIALS / case))
-            room = TUTORIALS / case / "precision-runs"
-            mixed, double = figures(room / "mixed"), figures(room / "double")
-            seconds = [round(cost(room / p)["cpuSeconds"], 1)
-                       for p in ("mixed", "double")]
+            folders = [TUTORIALS / case / "precision-runs" / f"{precision}-{run}"
+                       for precision in ("mixed", "double")]
+            mixed, double = map(figures, folders)
+            seconds = [round(cost(folder)["cpuSeconds"], 1) for folder in folders]
             for name, (value, bound) in mixed.items():
                 other = double[name][0]
                 share = abs(value - other) / bound
