@@ -61,38 +61,41 @@ void floored
 }
 
 
-// Closed forms lose half the digits where the two smallest eigenvalues of a
-// 3 x 3 matrix meet, far from the isotropic matrix of the interior
-double smallestOf3(const int lane, const ulph::laneRow* M)
+// Smallest eigenvalues of a few lanes by the trigonometric solution
+//     lambda = mean - 2 p cos(acos(-r)/3),
+// whose cosine c solves 4 c^3 - 3 c = -r in [1/2, 1]: Newton steps from a guess
+// with the right root at r = 1 take that to rounding. Returns r.
+template<class Lanes>
+Lanes smallestOf3(const int lane, const ulph::laneRow* M, Lanes& lambda)
 {
-    const double mean = (M[0][lane] + M[3][lane] + M[5][lane])/3;
-    const double a = M[0][lane] - mean;
-    const double b = M[3][lane] - mean;
-    const double c = M[5][lane] - mean;
-    const double d = M[1][lane];
-    const double e = M[2][lane];
-    const double f = M[4][lane];
-
-    const double p2 = (a*a + b*b + c*c + 2*(d*d + e*e + f*f))/6;
-    const double p = std::sqrt(p2);
-    if (p < 1e-15*mean)
+    const auto row = [&](const int c)
     {
-        return mean;
-    }
-    const double determinant =
+        return Lanes(M[c] + lane, ulph::stdx::element_aligned);
+    };
+    const Lanes mean = (row(0) + row(3) + row(5))/3;
+    const Lanes a = row(0) - mean;
+    const Lanes b = row(3) - mean;
+    const Lanes c = row(5) - mean;
+    const Lanes d = row(1);
+    const Lanes e = row(2);
+    const Lanes f = row(4);
+
+    const Lanes p2 =
+        max((a*a + b*b + c*c + 2*(d*d + e*e + f*f))/6, Lanes(VSMALL));
+    const Lanes p = sqrt(p2);
+    const Lanes determinant =
         a*(b*c - f*f) - d*(d*c - f*e) + e*(d*f - b*e);
-    const double r =
-        std::max(-1.0, std::min(1.0, determinant/(2*p2*p)));
+    const Lanes r =
+        max(Lanes(-1), min(Lanes(1), determinant/(2*p2*p)));
 
-    if (r > 0.999)
+    Lanes cosine = 0.5*(1 + sqrt(max(0.5*(1 - r), Lanes(1e-16))));
+    for (int step = 0; step < 5; ++step)
     {
-        return Eigen::SelfAdjointEigenSolver<matrix<3>>
-        (
-            toEigen<3>(lane, M), Eigen::EigenvaluesOnly
-        ).eigenvalues()[0];
+        const Lanes square = cosine*cosine;
+        cosine -= (cosine*(4*square - 3) + r)/(12*square - 3);
     }
-    constexpr double twoThirdsPi = 2.0943951023931954923;
-    return mean + 2*p*std::cos(std::acos(r)/3 + twoThirdsPi);
+    lambda = mean - 2*p*cosine;
+    return r;
 }
 
 } // End anonymous namespace
@@ -158,9 +161,24 @@ void Foam::momentTensor::smallestEigenvalue
         }
         return;
     }
-    for (int l = 0; l < count; ++l)
+
+    // All lanes: what is in those beyond count does not matter
+    using lanes = ulph::stdx::native_simd<double>;
+    for (int first = 0; first < count; first += int(lanes::size()))
     {
-        lambda[l] = smallestOf3(l, M);
+        lanes smallest;
+        const lanes r = smallestOf3(first, M, smallest);
+        for (int l = first; l < min(count, first + int(lanes::size())); ++l)
+        {
+            // Closed forms lose half the digits where the two smallest meet
+            lambda[l] =
+                r[l - first] < 1 - 1e-6
+              ? double(smallest[l - first])
+              : Eigen::SelfAdjointEigenSolver<matrix<3>>
+                (
+                    toEigen<3>(l, M), Eigen::EigenvaluesOnly
+                ).eigenvalues()[0];
+        }
     }
 }
 
