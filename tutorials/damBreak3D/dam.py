@@ -13,6 +13,7 @@ from ulphCase import Case, readTable
 from ulphStudy import cost, table
 
 HEIGHT, LENGTH, TANK = 0.3, 0.6, 1.61  # of the column and of the tank [m]
+WIDTH = 0.15  # [m]
 PER_SECOND = np.sqrt(9.81 / HEIGHT)
 UNIT = 1000 * 9.81 * HEIGHT  # [Pa]
 SENSORS = (0.003, 0.015, 0.03, 0.08)  # heights on the downstream wall [m]
@@ -49,6 +50,16 @@ def noise(t, p, first=3, last=6, window=0.1):
     return np.sqrt(((values - mean)[inside] ** 2).mean())
 
 
+def downstreamForce(folder):
+    """Force along x on the downstream wall over rho g H^2 times its width (rows,)."""
+    rows = []
+    for file in sorted(pathlib.Path(folder, "postProcessing/forces").glob("*/force.dat")):
+        for line in file.read_text().splitlines():
+            if line[0] != "#":
+                rows.append(line.replace("(", "").split()[1])
+    return np.array(rows, dtype=float) / (UNIT * HEIGHT * WIDTH)
+
+
 class Run:
     """A folder dx<spacing>."""
 
@@ -59,8 +70,9 @@ class Run:
         clouds = [self.case.cloud(t)["x"] for t in self.case.times]
         self.particles = [len(x) for x in clouds]
         self.outside = sum(self.countOutside(x) for x in clouds)
-        self.frontTimes = np.array(self.case.times) * PER_SECOND
-        self.front = np.array([x[:, 0].max() + self.dx / 2 for x in clouds]) / HEIGHT
+        front = table(folder, "front")
+        self.frontTimes = front["Time"] * PER_SECOND
+        self.front = front["front"] / HEIGHT
         sensors = table(folder, "sensors")
         self.times = sensors["Time"] * PER_SECOND
         self.pressures = [sensors[f"p_{k}"] / UNIT for k in range(len(SENSORS))]
@@ -87,6 +99,7 @@ class Run:
             "noise1": float(noise(self.times, self.pressures[0])),
             "volumeDrift": float(np.abs(volume / volume[0] - 1).max()),
             "outside": self.outside,
+            "peakForce": float(downstreamForce(self.folder).max()),
         }
         plateau = (self.times >= 3) & (self.times <= 5)
         for k in range(len(SENSORS)):
