@@ -87,46 +87,67 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::normals(neighbourSearch& searc
 }
 
 
-bool Foam::freeSurfaces::momentMatrixFreeSurface::umbrellaEmpty
+void Foam::freeSurfaces::momentMatrixFreeSurface::findHidden
 (
     const neighbourSearch& search,
     const ulph::clusterList::cluster& c,
-    const label i
+    ulph::laneRow& hidden
 ) const
 {
     const particleField& x = search.cloud().x();
     const std::uint32_t* const neighbours =
         search.fluidList().neighbours(c);
+    const scalar h2 = sqr(h_);
 
-    for (std::size_t j = c.begin; j < c.fluidEnd; ++j)
+    ulph::laneRow members[3] = {};
+    ulph::laneRow normals[3] = {};
+    x.load(c.first, c.count, members);
+    normal_->load(c.first, c.count, normals);
+    for (int l = 0; l < ulph::maxLanes; ++l)
     {
-        const label J = label(neighbours[j]);
-        scalar r2 = 0;
-        scalar along = 0;
+        hidden[l] = l < c.count && doubtful(c.first + l) ? 0 : 1;
+    }
+
+    using lanes = ulph::stdx::native_simd<double>;
+    constexpr auto aligned = ulph::stdx::element_aligned;
+    for (int first = 0; first < c.count; first += int(lanes::size()))
+    {
+        lanes origin[3];
+        lanes normal[3];
         for (int k = 0; k < D_; ++k)
         {
-            const scalar d = x.component(k)[J] - x.component(k)[i];
-            r2 += sqr(d);
-            along += d*(*normal_)(i, k);
+            origin[k] = lanes(members[k] + first, aligned);
+            normal[k] = lanes(normals[k] + first, aligned);
         }
-        if (J == i || along <= 0 || r2 >= sqr(2*h_))
+
+        auto found = lanes(hidden + first, aligned) > 0;
+        for (std::size_t j = c.begin; j < c.fluidEnd && !all_of(found); ++j)
         {
-            continue;
-        }
-        if (r2 >= 2*sqr(h_))
-        {
-            // |x_J - S|^2 with S = x_I + h n
-            if (r2 - 2*h_*along + sqr(h_) < sqr(h_))
+            lanes r2 = 0;
+            lanes along = 0;
+            for (int k = 0; k < D_; ++k)
             {
-                return false;
+                const lanes d = x.component(k)[neighbours[j]] - origin[k];
+                r2 += d*d;
+                along += d*normal[k];
             }
+            // A cone of 45 degrees, and from sqrt(2) h on the ball of radius h
+            // about x_I + h n; the particle itself, along = 0, is in neither
+            found = found
+             || (
+                    along > 0
+                 && r2 < 4*h2
+                 && (
+                        (r2 < 2*h2 && 2*along*along > r2)
+                     || (r2 >= 2*h2 && 2*h_*along > r2)
+                    )
+                );
         }
-        else if (2*sqr(along) > r2)
+        for (int l = 0; l < int(lanes::size()); ++l)
         {
-            return false;
+            hidden[first + l] = found[l];
         }
     }
-    return true;
 }
 
 
@@ -159,11 +180,16 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
     for (int i = 0; i < list.size(); ++i)
     {
         const ulph::clusterList::cluster& c = list[i];
-        for (int p = c.first; p < c.first + c.count; ++p)
+        ulph::laneRow hidden;
+        if (mask_[i])
         {
+            findHidden(search, c, hidden);
+        }
+        for (int l = 0; l < c.count; ++l)
+        {
+            const label p = c.first + l;
             onSurface_[p] =
-                (*lambda_)(p) < surface_
-             || (doubtful(p) && umbrellaEmpty(search, c, p));
+                (*lambda_)(p) < surface_ || (doubtful(p) && hidden[l] == 0);
         }
     }
     search.halo().copy(onSurface_);

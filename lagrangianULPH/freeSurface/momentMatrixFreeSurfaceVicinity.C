@@ -18,6 +18,12 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     const ulph::clusterList& list = search.fluidList();
     const particleField& x = search.cloud().x();
 
+    using lanes = ulph::stdx::native_simd<double>;
+    constexpr int width = int(lanes::size());
+    constexpr int nRegisters = ulph::maxLanes/width;
+    constexpr auto aligned = ulph::stdx::element_aligned;
+    const lanes number([](const auto l) { return double(int(l)); });
+
     class_->reset(lambda_->size());
 
     #pragma omp parallel for schedule(dynamic, 16)
@@ -27,37 +33,36 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         const std::uint32_t* const first = list.neighbours(c) + c.begin;
         const std::uint32_t* const last = list.neighbours(c) + c.fluidEnd;
 
-        // Members that have seen a surface particle, and any fluid, in reach
-        ulph::laneRow sawSurface = {};
-        ulph::laneRow sawFluid = {};
-        ulph::laneRow members[3] = {};
-        for (int k = 0; k < D_; ++k)
+        lanes members[nRegisters][3];
+        ulph::laneRow rows[3] = {};
+        x.load(c.first, c.count, rows);
+        for (int m = 0; m < nRegisters; ++m)
         {
-            x.load(k, c.first, c.count, members[k]);
-        }
-        // Over all lanes, so that the length of the loops is known: lanes
-        // beyond the members are not read
-        const auto look = [&](const std::uint32_t j, ulph::laneRow& saw)
-        {
-            ulph::laneRow r2 = {};
             for (int k = 0; k < D_; ++k)
             {
-                const scalar xj = x.component(k)[j];
-                for (int l = 0; l < ulph::maxLanes; ++l)
+                members[m][k] = lanes(rows[k] + m*width, aligned);
+            }
+        }
+
+        // Members that have seen a surface particle, and any fluid, in reach
+        lanes::mask_type sawSurface[nRegisters];
+        lanes::mask_type sawFluid[nRegisters];
+        for (int m = 0; m < nRegisters; ++m)
+        {
+            sawSurface[m] = sawFluid[m] = lanes::mask_type(false);
+        }
+        const auto look = [&](const std::uint32_t j, lanes::mask_type* saw)
+        {
+            for (int m = 0; m < nRegisters; ++m)
+            {
+                lanes r2 = 0;
+                for (int k = 0; k < D_; ++k)
                 {
-                    r2[l] += sqr(xj - members[k][l]);
+                    const lanes d = x.component(k)[j] - members[m][k];
+                    r2 += d*d;
                 }
-            }
-            const label self = label(j) - c.first;
-            const scalar before =
-                self >= 0 && self < c.count ? saw[self] : 0;
-            for (int l = 0; l < ulph::maxLanes; ++l)
-            {
-                saw[l] = r2[l] < sqr(2*h_) ? 1 : saw[l];
-            }
-            if (self >= 0 && self < c.count)
-            {
-                saw[self] = before;
+                const scalar self = label(j) - c.first - m*width;
+                saw[m] = saw[m] || (r2 < sqr(2*h_) && number != self);
             }
         };
 
@@ -80,7 +85,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
                 bool found = false;
                 for (int l = 0; l < c.count; ++l)
                 {
-                    found = found || (on[l] && sawFluid[l] == 0);
+                    found = found || (on[l] && !sawFluid[l/width][l % width]);
                 }
                 return found;
             };
@@ -99,8 +104,8 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         for (int l = 0; l < c.count; ++l)
         {
             classes[l] =
-                on[l] ? (sawFluid[l] > 0 ? surface : splash)
-              : sawSurface[l] > 0 ? vicinity : interior;
+                on[l] ? (sawFluid[l/width][l % width] ? surface : splash)
+              : sawSurface[l/width][l % width] ? vicinity : interior;
         }
         class_->store(0, c.first, c.count, classes);
     }
