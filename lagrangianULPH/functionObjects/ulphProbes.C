@@ -184,7 +184,13 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
         scalarList values(fit(near, faceOffsets_[s]));
         if (diameter_ > 0 && values[0] < wet)
         {
-            values = 0;
+            // A part of it is covered, and what is dry does not pull
+            values[1] = max(values[1], scalar(0));
+            const scalar filling = values[0];
+            for (label c = 1; c < values.size(); ++c)
+            {
+                values[c] *= filling/wet;
+            }
         }
         forAll(mean, c)
         {
