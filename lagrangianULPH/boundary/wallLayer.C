@@ -371,7 +371,6 @@ void Foam::wallLayer::fill
 ) const
 {
     const int D = cloud_.D();
-    const scalar beta = cloud_.shared().beta;
 
     x_.load(first, count, tile.x);
     volume_.load(0, first, count, tile.V);
@@ -390,7 +389,7 @@ void Foam::wallLayer::fill
             tile.g[k][l] *= cloud_.rho0()/sqr(cloud_.c0());
             for (int m = k; m < D; ++m)
             {
-                tile.K[ulph::symmetricIndex(D, k, m)][l] = k == m ? 1/beta : 0;
+                tile.K[ulph::symmetricIndex(D, k, m)][l] = k == m ? inverseMoment() : 0;
             }
         }
     }

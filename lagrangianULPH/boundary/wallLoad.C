@@ -5,6 +5,8 @@
 
 #include "wallLoad.H"
 
+#include <functional>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -20,33 +22,33 @@ namespace
 
 using Foam::label;
 
-//- Sums of a pass by wall particle, first record first
+//- Hands the sums of every target to a function
 template<class Block>
-class wallSums
+class eachTarget
 :
     public ulph::sumSink<Block>
 {
-    const label firstRecord_;
-
-    //- Where target l of a block is stored
-    const std::function<void(const Block&, int l, label wall)> store_;
-
 public:
 
-    template<class Store>
-    wallSums(const label firstRecord, const Store& store)
+    //- Sums, lane in them, record of the target
+    typedef std::function<void(const Block&, int, label)> function;
+
+    explicit eachTarget(const function& f)
     :
-        firstRecord_(firstRecord),
-        store_(store)
+        f_(f)
     {}
 
     void take(const Block& sums) override
     {
         for (int l = 0; l < sums.count; ++l)
         {
-            store_(sums, l, sums.first - firstRecord_ + l);
+            f_(sums, l, sums.first + l);
         }
     }
+
+private:
+
+    const function f_;
 };
 
 } // End anonymous namespace
@@ -91,38 +93,38 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
     }
 
     const int D = cloud_.D();
+    const label firstRecord = wall_.firstRecord;
     const ulph::pairSums& sums = neighbours_.sums();
     const ulph::clusterList& list = neighbours_.wallList();
+    const scalar K = wall_.inverseMoment();
     std::vector<load> loads(n);
 
-    // By the sum over neighbours of V_I x first, which only p_J needs
-    wallSums<ulph::geometryBlock> gradient
+    eachTarget<ulph::geometryBlock> own
     (
-        wall_.firstRecord,
-        [&](const ulph::geometryBlock& block, const int l, const label j)
+        [&](const ulph::geometryBlock& block, const int l, const label record)
         {
-            const scalar p = sums.pressure(wall_.firstRecord + j);
+            const label j = record - firstRecord;
+            const scalar factor = wall_.volume(j)*sums.pressure(record)*K;
             for (int k = 0; k < D; ++k)
             {
-                loads[j].pressure[cloud_.axis(k)] = p*block.b[k][l];
+                loads[j].pressure[cloud_.axis(k)] -= factor*block.b[k][l];
             }
         }
     );
+    sums.geometry(list, {}, ulph::momentSums, own);
+
     const scalar mu = models_.viscous->mu();
     const bool symmetric = models_.viscous->symmetric();
-    const scalar K = 1/cloud_.shared().beta;
-    wallSums<ulph::forceBlock> reaction
+    eachTarget<ulph::forceBlock> fluids
     (
-        wall_.firstRecord,
-        [&](const ulph::forceBlock& block, const int l, const label j)
+        [&](const ulph::forceBlock& block, const int l, const label record)
         {
-            load& now = loads[j];
-            const scalar V = wall_.volume(j);
+            load& now = loads[record - firstRecord];
+            const scalar V = wall_.volume(record - firstRecord);
             for (int k = 0; k < D; ++k)
             {
                 const direction c = cloud_.axis(k);
-                now.pressure[c] =
-                    -V*(block.pressure[k][l] + K*now.pressure[c]);
+                now.pressure[c] -= V*block.pressure[k][l];
                 if (mu > 0)
                 {
                     now.viscous[c] =
@@ -133,14 +135,8 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
             }
         }
     );
-    for (load& now : loads)
-    {
-        now.pressure = now.viscous = Zero;
-    }
-
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    sums.geometry(list, {}, ulph::momentSums, gradient);
     sums.force
     (
         list,
@@ -148,7 +144,7 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
       ? unsigned(ulph::viscousSums | ulph::symmetricViscousSums)
       : unsigned(ulph::pressureSums),
         viscous,
-        reaction
+        fluids
     );
 
     #pragma omp parallel for schedule(dynamic, 64)

@@ -189,7 +189,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
         {
             const label p = c.first + l;
             onSurface_[p] =
-                (*lambda_)(p) < surface_ || (doubtful(p) && hidden[l] == 0);
+                (*lambda_)(p) < surface_ || (mask_[i] && hidden[l] == 0);
         }
     }
     search.halo().copy(onSurface_);

@@ -47,24 +47,18 @@ void Foam::functionObjects::ulphForces::writeHead
 Foam::wordList Foam::functionObjects::ulphForces::columns() const
 {
     wordList all;
-    for (const char* const what : {"orce", "oment"})
-    {
-        const word capital(what == word("orce") ? "F" : "M");
-        const word small(what == word("orce") ? "f" : "m");
-        for
-        (
-            const word& part :
-            {
-                word(small + what),
-                word("pressure" + capital + what),
-                word("viscous" + capital + what)
-            }
-        )
+    for
+    (
+        const char* const name :
         {
-            for (const char* const cmpt : {"_x", "_y", "_z"})
-            {
-                all.append(part + cmpt);
-            }
+            "force", "pressureForce", "viscousForce",
+            "moment", "pressureMoment", "viscousMoment"
+        }
+    )
+    {
+        for (const char* const cmpt : {"_x", "_y", "_z"})
+        {
+            all.append(word(name) + cmpt);
         }
     }
     return all;

@@ -5,7 +5,6 @@
 
 #include "ulphFront.H"
 #include "addToRunTimeSelectionTable.H"
-#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -85,16 +84,9 @@ Foam::functionObjects::ulphFront::ulphFront
 
 bool Foam::functionObjects::ulphFront::read(const dictionary& dict)
 {
-    dict.readEntry("direction", direction_);
+    direction_ =
+        unitDirection(dict, "direction", dict.get<vector>("direction"));
     origin_ = dict.getOrDefault<point>("origin", Zero);
-    if (mag(direction_) < SMALL)
-    {
-        FatalIOErrorInFunction(entryPlace(dict, "direction"))
-            << "The direction of the front is zero." << nl
-            << "    Give, for instance: direction (1 0 0);"
-            << exit(FatalIOError);
-    }
-    direction_ /= mag(direction_);
 
     return ulphFunctionObject::read(dict);
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ulphFunctionObject.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -39,6 +40,33 @@ const Foam::ulphModels&
 Foam::functionObjects::ulphFunctionObject::models() const
 {
     return mesh_.lookupObject<ulphModels>(ulphModels::typeName);
+}
+
+
+Foam::vector Foam::functionObjects::ulphFunctionObject::unitDirection
+(
+    const dictionary& dict,
+    const word& keyword,
+    const vector& along
+) const
+{
+    const ulphCloud& cloud = particles();
+    vector solved(Zero);
+    for (int k = 0; k < cloud.D(); ++k)
+    {
+        solved[cloud.axis(k)] = along[cloud.axis(k)];
+    }
+    if (mag(along) < SMALL || mag(solved - along) > SMALL*mag(along))
+    {
+        FatalIOErrorInFunction(entryPlace(dict, keyword))
+            << "The direction " << keyword << ' ' << along
+            << " is no direction of the " << cloud.D()
+            << "-dimensional flow." << nl
+            << "    Give one that is not zero and not along an empty patch, "
+            << "for instance: " << keyword << " (0 1 0);"
+            << exit(FatalIOError);
+    }
+    return along/mag(along);
 }
 
 

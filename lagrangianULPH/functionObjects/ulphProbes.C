@@ -5,6 +5,7 @@
 
 #include "ulphProbes.H"
 #include "addToRunTimeSelectionTable.H"
+#include "cylindricalCS.H"
 #include "inputChecks.H"
 
 #include <Eigen/Eigenvalues>
@@ -25,65 +26,47 @@ namespace functionObjects
 
 void Foam::functionObjects::ulphProbes::makeFace(const dictionary& dict)
 {
-    const vector normal(dict.get<vector>("normal"));
     const ulphCloud& cloud = particles();
+    const vector n(unitDirection(dict, "normal", dict.get<vector>("normal")));
     const scalar radius = 0.5*diameter_;
 
-    vector solved(Zero);
-    for (int k = 0; k < cloud.D(); ++k)
-    {
-        solved[cloud.axis(k)] = normal[cloud.axis(k)];
-    }
-    if (mag(solved) < SMALL)
-    {
-        FatalIOErrorInFunction(entryPlace(dict, "normal"))
-            << "The face of a sensor has no normal " << normal << " in the "
-            << cloud.D() << "-dimensional flow." << nl
-            << "    Give the normal of its wall, for instance: normal (1 0 0);"
-            << exit(FatalIOError);
-    }
-    const vector n(solved/mag(solved));
-
-    // Two directions in the face; in 2D the other one is empty
-    vector along(Zero);
-    for (int k = 0; k < cloud.D() && mag(along) < 0.5; ++k)
-    {
-        vector axis(Zero);
-        axis[cloud.axis(k)] = 1;
-        along = axis - (axis & n)*n;
-    }
-    along /= mag(along);
-    const vector across(cloud.D() == 3 ? n ^ along : vector(Zero));
-
-    // Squares of at most dx/2, by their centres
+    // Squares, or strips, of at most dx/2
     const label half = label(std::ceil(radius/(0.5*cloud.dx())));
     const scalar step = radius/half;
-    faceOffsets_.clear();
-    faceWeights_.clear();
-    for (label i = -half; i < half; ++i)
+    DynamicList<vector> offsets;
+    DynamicList<scalar> shares;
+    if (cloud.D() == 2)
     {
-        for (label j = -half; j < (cloud.D() == 3 ? half : 1 - half); ++j)
+        const label empty = 3 - cloud.axis(0) - cloud.axis(1);
+        vector across(Zero);
+        across[empty] = 1;
+        for (label i = -half; i < half; ++i)
         {
             const scalar a = (i + 0.5)*step;
-            const scalar b = (j + 0.5)*step;
-            if (cloud.D() == 2)
+            offsets.append(a*(n ^ across));
+            // The chord of the disc
+            shares.append(std::sqrt(sqr(radius) - sqr(a)));
+        }
+    }
+    else
+    {
+        const coordSystem::cylindrical axes(Zero, n);
+        for (label i = -half; i < half; ++i)
+        {
+            for (label j = -half; j < half; ++j)
             {
-                // The disc's chord there
-                faceOffsets_.append(a*along);
-                faceWeights_.append(std::sqrt(sqr(radius) - sqr(a)));
-            }
-            else if (sqr(a) + sqr(b) < sqr(radius))
-            {
-                faceOffsets_.append(a*along + b*across);
-                faceWeights_.append(1);
+                const scalar a = (i + 0.5)*step;
+                const scalar b = (j + 0.5)*step;
+                if (sqr(a) + sqr(b) < sqr(radius))
+                {
+                    offsets.append(a*axes.e1() + b*axes.e2());
+                    shares.append(1);
+                }
             }
         }
     }
-    const scalar total = Foam::sum(faceWeights_);
-    for (scalar& weight : faceWeights_)
-    {
-        weight /= total;
-    }
+    faceOffsets_ = offsets;
+    faceShares_ = scalarField(shares)/Foam::sum(scalarField(shares));
 }
 
 
@@ -194,7 +177,7 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
         }
         forAll(mean, c)
         {
-            mean[c] += faceWeights_[s]*values[c];
+            mean[c] += faceShares_[s]*values[c];
         }
     }
     return mean;
@@ -224,8 +207,9 @@ bool Foam::functionObjects::ulphProbes::read(const dictionary& dict)
     readPoints(dict, "points");
     moving_ = dict.getOrDefault("moving", true);
 
-    faceOffsets_ = DynamicList<vector>(1, vector(Zero));
-    faceWeights_ = DynamicList<scalar>(1, 1.0);
+    // A point is a face of one place
+    faceOffsets_ = vectorField(1, vector(Zero));
+    faceShares_ = scalarField(1, 1.0);
     diameter_ =
         dict.found("diameter")
       ? getInRange(dict, "diameter", scalarMinMax::ge(SMALL))

@@ -5,7 +5,6 @@
 
 #include "ulphSurfaceElevation.H"
 #include "addToRunTimeSelectionTable.H"
-#include "inputChecks.H"
 #include "gravityMeshObject.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -105,21 +104,7 @@ bool Foam::functionObjects::ulphSurfaceElevation::read(const dictionary& dict)
     {
         up_ = -meshObjects::gravity::New(time_).value();
     }
-    vector solved(Zero);
-    for (int k = 0; k < cloud.D(); ++k)
-    {
-        solved[cloud.axis(k)] = up_[cloud.axis(k)];
-    }
-    if (mag(up_) < SMALL || mag(solved - up_) > SMALL*mag(up_))
-    {
-        FatalIOErrorInFunction(entryPlace(dict, "up"))
-            << "The direction " << up_ << " of the gauges is no direction of "
-            << "the " << cloud.D() << "-dimensional flow." << nl
-            << "    Give one that is not zero and not along an empty patch, "
-            << "for instance: up (0 1 0);"
-            << exit(FatalIOError);
-    }
-    up_ /= mag(up_);
+    up_ = unitDirection(dict, "up", up_);
 
     // From corner to corner of the mesh, and what the kernel reaches past it
     scalar lower = GREAT;

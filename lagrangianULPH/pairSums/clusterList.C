@@ -292,6 +292,7 @@ void clusterList::build
     }
 
     nPairs_ = 0;
+    nTargets_ = targets.particles.n;
     for (const cluster& c : clusters_)
     {
         nPairs_ += double(c.end - c.begin)*c.count;

@@ -49,7 +49,7 @@ void Foam::ulphSolver::predict()
         << "    fluid particles        " << cloud_.size() << nl
         << "    wall particles in reach " << wall_.size() << nl
         << "    sources listed per particle "
-        << neighbours_.fluidList().nPairs()/max(cloud_.size(), 1) << nl
+        << neighbours_.fluidList().meanListed() << nl
         << "    memory                 "
         << (cloud_.size()*scalar(cloud_.bytes()) + neighbours_.bytes())/1e6
         << " MB" << nl
@@ -66,7 +66,7 @@ void Foam::ulphSolver::report() const
     Info<< nl;
     ledger_.report(Info);
     Info<< "    sources listed per particle "
-        << neighbours_.fluidList().nPairs()/max(cloud_.size(), 1)
+        << neighbours_.fluidList().meanListed()
         << ", lists made " << neighbours_.nBuilds() << " times" << nl
         << "    memory "
         << cloud_.bytes() << " bytes of fields and "

@@ -63,13 +63,15 @@ static void tensorChecks(tally& t, const int D)
         const mat A(R*spectrum.asDiagonal()*R.transpose());
         const double size = std::max(spectrum.maxCoeff(), 1e-300);
 
-        // Lane 1, so that a mix-up of lanes shows
+        // Neither the first lane nor the first register, so that a mix-up shows
+        constexpr int lane = 11;
+        constexpr int count = 13;
         ulph::laneRow M[6] = {};
         for (int i = 0; i < D; ++i)
         {
             for (int j = i; j < D; ++j)
             {
-                M[ulph::symmetricIndex(D, i, j)][1] = A(i, j);
+                M[ulph::symmetricIndex(D, i, j)][lane] = A(i, j);
             }
         }
         const auto result = [&](const ulph::laneRow* K)
@@ -79,7 +81,7 @@ static void tensorChecks(tally& t, const int D)
             {
                 for (int j = 0; j < D; ++j)
                 {
-                    B(i, j) = K[ulph::symmetricIndex(D, i, j)][1];
+                    B(i, j) = K[ulph::symmetricIndex(D, i, j)][lane];
                 }
             }
             return B;
@@ -90,15 +92,15 @@ static void tensorChecks(tally& t, const int D)
             A.topLeftCorner(D, D)
         );
         ulph::laneRow lambda;
-        momentTensor::smallestEigenvalue(D, 2, M, lambda);
+        momentTensor::smallestEigenvalue(D, count, M, lambda);
         smallest = std::max
         (
-            smallest, std::abs(lambda[1] - eigen.eigenvalues()[0])/size
+            smallest, std::abs(lambda[lane] - eigen.eigenvalues()[0])/size
         );
 
         ulph::laneRow K[6] = {};
         const double floor = 0.36;
-        momentTensor::flooredInverse(D, 1, M, floor, K);
+        momentTensor::flooredInverse(D, lane, M, floor, K);
         mat exact(mat::Zero());
         exact.topLeftCorner(D, D) =
             eigen.eigenvectors()
@@ -110,13 +112,13 @@ static void tensorChecks(tally& t, const int D)
         );
 
         ulph::laneRow determinant;
-        momentTensor::adjugate(D, 2, M, K, determinant);
+        momentTensor::adjugate(D, count, M, K, determinant);
         const double conditioned = eigen.eigenvalues()[0]/size;
         if (conditioned > 0.01)
         {
             mat B(mat::Zero());
             B.topLeftCorner(D, D) = A.topLeftCorner(D, D).inverse();
-            inverse.add(mat(result(K)/determinant[1]*size), mat(B*size));
+            inverse.add(mat(result(K)/determinant[lane]*size), mat(B*size));
         }
 
         ulph::laneRow a[3] = {};
@@ -124,12 +126,12 @@ static void tensorChecks(tally& t, const int D)
         const vec b(random.vector(1));
         for (int k = 0; k < D; ++k)
         {
-            a[k][1] = b[k];
+            a[k][lane] = b[k];
         }
-        momentTensor::multiply(D, 2, M, a, Ma);
+        momentTensor::multiply(D, count, M, a, Ma);
         product.add
         (
-            vec(Ma[0][1], Ma[1][1], D == 3 ? Ma[2][1] : 0), vec(A*b)
+            vec(Ma[0][lane], Ma[1][lane], D == 3 ? Ma[2][lane] : 0), vec(A*b)
         );
     }
 

@@ -19,15 +19,18 @@ LINES = {
 }
 
 
-def table(folder, name):
+def table(folder, name, file="*"):
     """Columns by name of a function object's table, restarts joined.
 
-    Each has the shape (rows,); rows that a restart repeats are dropped.
+    Each has the shape (rows,); rows that a restart repeats are dropped. Where the
+    object writes several files, file is one of them, for instance force.
     """
-    files = pathlib.Path(folder, "postProcessing", name).glob("*/*.dat")
+    files = pathlib.Path(folder, "postProcessing", name).glob(f"*/{file}.dat")
     parts, columns = [], []
     for file in sorted(files, key=lambda f: float(f.parent.name)):
-        lines = file.read_text().splitlines()
+        # Vectors are written in brackets
+        text = file.read_text().replace("(", " ").replace(")", " ")
+        lines = text.splitlines()
         head = [line for line in lines if line.startswith("# Time")][-1]
         columns = head.lstrip("# ").split()
         rows = [line.split() for line in lines if line and line[0] != "#"]
@@ -65,6 +68,12 @@ def cost(folder):
         "cpuSeconds": seconds,
         "secondsPerParticleStep": seconds / (steps * particles),
     }
+
+
+def bySpacing(room, Run):
+    """The runs of a room, folders dx<spacing>, coarse to fine."""
+    found = [Run(folder) for folder in pathlib.Path(room).glob("dx*")]
+    return sorted(found, key=lambda run: -run.dx)
 
 
 def figuresFolder(room):

@@ -62,8 +62,9 @@ def bareArcs(x, bounds, radius, points=90):
     return share, normal / np.maximum(length, 1e-30)
 
 
-def checkSurface(case, T, check):
-    """Flags and normals [degrees] at T against the exposure test."""
+def surface(case, T):
+    """Flags and normals [degrees] at T against the exposure test: for each figure
+    its value and its bound."""
     dx = case.entry("dx")
     fields = case.cloud(case.nearest(T / PER_SECOND))
     x, flagged = fields["x"][:, :2], fields["surface"] >= 2
@@ -75,10 +76,12 @@ def checkSurface(case, T, check):
 
     print(f"T = {T}: {bare.sum()} particles see the air, {flagged.sum()} are flagged")
     at = f"T{T}."
-    check(at + "airNotFlagged", (bare & ~flagged).sum(), 0, 1)
-    check(at + "flaggedInside", (apart > 1.5 * dx).sum(), 0, 2)
-    check(at + "normalErrorMedian", np.median(angle), 0, 8)
-    check(at + "normalErrorOf95%", np.percentile(angle, 95), 0, 20)
+    return {
+        at + "airNotFlagged": ((bare & ~flagged).sum(), 1),
+        at + "flaggedInside": ((apart > 1.5 * dx).sum(), 2),
+        at + "normalErrorMedian": (np.median(angle), 8),
+        at + "normalErrorOf95%": (np.percentile(angle, 95), 20),
+    }
 
 
 def checkRun(case, mode, test):
@@ -108,7 +111,8 @@ def checkRun(case, mode, test):
     check("valuesNotFinite", bad, 0, 0)
     for T in (2.06, 5.72):
         if mode != "lowViscosity" and reached[-1] >= T:
-            checkSurface(case, T, check)
+            for name, (value, bound) in surface(case, T).items():
+                check(name, value, 0, bound)
     print(f"{mode} took {case.executionTime():.1f} s of CPU time")
     return check.failed
 

@@ -2,9 +2,9 @@
 
 import sys
 
-from dam import PRESSURES, delay, impact, runs
+from dam import PRESSURES, Run, delay, impact
 from ulphCase import Checks
-from ulphStudy import figuresFolder, writeRows
+from ulphStudy import bySpacing, figuresFolder, writeRows
 
 
 def checkPressures(check, name, row):
@@ -23,7 +23,7 @@ def checkPressures(check, name, row):
 def main(room):
     check = Checks()
     rows = []
-    for run in runs(room):
+    for run in bySpacing(room, Run):
         name, row = run.folder.name + ".", run.row()
         check(name + "finished", run.case.finished(), 1, 1)
         check(name + "particlesLost", run.particles[0] - run.particles[-1], 0, 0)

@@ -50,16 +50,6 @@ def noise(t, p, first=3, last=6, window=0.1):
     return np.sqrt(((values - mean)[inside] ** 2).mean())
 
 
-def downstreamForce(folder):
-    """Force along x on the downstream wall over rho g H^2 times its width (rows,)."""
-    rows = []
-    for file in sorted(pathlib.Path(folder, "postProcessing/forces").glob("*/force.dat")):
-        for line in file.read_text().splitlines():
-            if line[0] != "#":
-                rows.append(line.replace("(", "").split()[1])
-    return np.array(rows, dtype=float) / (UNIT * HEIGHT * WIDTH)
-
-
 class Run:
     """A folder dx<spacing>."""
 
@@ -76,6 +66,9 @@ class Run:
         sensors = table(folder, "sensors")
         self.times = sensors["Time"] * PER_SECOND
         self.pressures = [sensors[f"p_{k}"] / UNIT for k in range(len(SENSORS))]
+        # On the downstream wall, over rho g H^2 times its width
+        force = table(folder, "forces", "force")["total_x"]
+        self.force = force / (UNIT * HEIGHT * WIDTH)
 
     def countOutside(self, x):
         low, high = self.case.bounds[:, 0], self.case.bounds[:, 1]
@@ -99,16 +92,10 @@ class Run:
             "noise1": float(noise(self.times, self.pressures[0])),
             "volumeDrift": float(np.abs(volume / volume[0] - 1).max()),
             "outside": self.outside,
-            "peakForce": float(downstreamForce(self.folder).max()),
+            "peakForce": float(self.force.max()),
         }
         plateau = (self.times >= 3) & (self.times <= 5)
         for k in range(len(SENSORS)):
             row[f"peak{k + 1}"] = float(self.pressures[k].max())
             row[f"plateau{k + 1}"] = float(self.pressures[k][plateau].mean())
         return {**row, **cost(self.folder)}
-
-
-def runs(room):
-    """The runs of a room, coarse to fine."""
-    found = [Run(f) for f in pathlib.Path(room).glob("dx*")]
-    return sorted(found, key=lambda r: -r.dx)

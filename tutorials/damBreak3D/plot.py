@@ -3,9 +3,9 @@
 import sys
 
 import numpy as np
-from dam import FRONT, PER_SECOND, POTENTIAL, PRESSURES, SENSORS, UNIT, delay, runs
+from dam import FRONT, PER_SECOND, POTENTIAL, PRESSURES, SENSORS, UNIT, Run, delay
 from ulphCase import drawBox, drawParticles, pyplot, savePicture
-from ulphStudy import figuresFolder
+from ulphStudy import bySpacing, figuresFolder
 
 plt = pyplot()
 
@@ -52,7 +52,7 @@ def views(run, file):
 
 def main(room):
     figures = figuresFolder(room)
-    found = runs(room)
+    found = bySpacing(room, Run)
     curves(found, figures / "curves.png")
     views(found[-1], figures / "views.png")
     print(f"Pictures are in {figures}")

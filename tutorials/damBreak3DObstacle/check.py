@@ -3,16 +3,16 @@
 import sys
 
 import numpy as np
-from obstacle import EXPERIMENT, GAUGES, IMPACT, runs
+from obstacle import EXPERIMENT, GAUGES, IMPACT, Run
 from ulphCase import Checks
-from ulphStudy import figuresFolder, writeRows
+from ulphStudy import bySpacing, figuresFolder, writeRows
 
 
 def main(room):
     check = Checks()
     rows = []
     standing = (EXPERIMENT[:, 0] > 0.9) & (EXPERIMENT[:, 0] < 1.1)
-    for run in runs(room):
+    for run in bySpacing(room, Run):
         name, row = run.folder.name + ".", run.row()
         check(name + "finished", run.case.finished(), 1, 1)
         check(name + "particlesLost", run.particles[0] - run.particles[-1], 0, 0)

@@ -19,17 +19,6 @@ EXPERIMENT = readTable("reference/kleefsman2005.csv")
 IMPACT = readTable("reference/impact.csv")
 
 
-def forceOnBox(folder):
-    """Times [s] and force along the flow [N], towards the wall behind (rows,)."""
-    rows = []
-    for file in pathlib.Path(folder, "postProcessing/forces").glob("*/force.dat"):
-        for line in file.read_text().splitlines():
-            if line[0] != "#":
-                rows.append(line.replace("(", "").split()[:2])
-    times, force = np.array(sorted(rows, key=lambda r: float(r[0])), dtype=float).T
-    return times, -force
-
-
 class Run:
     """A folder dx<spacing>."""
 
@@ -47,7 +36,9 @@ class Run:
         sensors = table(folder, "sensors")
         self.times = sensors["Time"]
         self.pressures = [sensors[f"p_{k}"] for k in range(4)]
-        self.forceTimes, self.force = forceOnBox(folder)
+        forces = table(folder, "forces", "force")
+        # Along the flow, which runs against x [N]
+        self.forceTimes, self.force = forces["Time"], -forces["total_x"]
 
     def heightError(self, k):
         """Mean over the experiment's times of the error at gauge k, over H."""
@@ -82,9 +73,3 @@ class Run:
             float(self.pressures[0][standing].mean()) if standing.any() else float("nan")
         )
         return {**row, **cost(self.folder)}
-
-
-def runs(room):
-    """The runs of a room, coarse to fine."""
-    found = [Run(f) for f in pathlib.Path(room).glob("dx*")]
-    return sorted(found, key=lambda r: -r.dx)

@@ -3,9 +3,9 @@
 import sys
 
 import numpy as np
-from obstacle import EXPERIMENT, GAUGES, IMPACT, UNIT, runs
+from obstacle import EXPERIMENT, GAUGES, IMPACT, UNIT, Run
 from ulphCase import drawParticles, pyplot, savePicture
-from ulphStudy import figuresFolder
+from ulphStudy import bySpacing, figuresFolder
 
 plt = pyplot()
 
@@ -55,7 +55,7 @@ def views(run, file):
 
 def main(room):
     figures = figuresFolder(room)
-    found = runs(room)
+    found = bySpacing(room, Run)
     curves(found, figures / "curves.png")
     views(found[-1], figures / "views.png")
     print(f"Pictures are in {figures}")
