@@ -6,6 +6,7 @@
 #include "guard.H"
 
 #include "inputChecks.H"
+#include "StringStream.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -34,23 +35,32 @@ static scalar bound
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::guard::stop(const std::string& what, const label i) const
+void Foam::guard::stop
+(
+    const std::string& what,
+    const label i,
+    const bool inState
+) const
 {
-    write_();
-
-    FatalErrorInFunction
-        << "The run has become unstable: " << what.c_str() << nl;
+    OStringStream where;
     if (i >= 0)
     {
-        FatalError
+        where
             << "    particle " << cloud_.origId()[i] << " at "
             << cloud_.position(i) << ", U "
             << cloud_.toVector(cloud_.v(), i) << ", rho "
             << cloud_.rho0() + cloud_.densityExcess()(i) << nl;
     }
-    FatalError
-        << "    time " << cloud_.mesh().time().timeName()
-        << "; the last good state is written there." << nl
+    const Time& time = cloud_.mesh().time();
+    const word when(time.timeName());
+    const bool kept = write_();
+
+    FatalErrorInFunction
+        << "The run has become unstable: " << what.c_str() << nl
+        << where.str().c_str()
+        << "    time " << when << "; the "
+        << (kept || !inState ? "last good state" : "state that holds it")
+        << " is written as time " << time.timeName() << '.' << nl
         << "    Look at it in ParaView; a smaller maxCo, mode default, or a "
         << "larger c0 (10 times the" << nl
         << "    highest speed) are the usual mends; guard { } in "
@@ -89,7 +99,7 @@ Foam::guard::guard
 (
     const dictionary& ulphProperties,
     const ulphCloud& cloud,
-    const std::function<void()>& write
+    const std::function<bool()>& write
 )
 :
     cloud_(cloud),
@@ -134,6 +144,19 @@ void Foam::guard::checkRates(const bool ok, const wordList& rates) const
 }
 
 
+bool Foam::guard::strained
+(
+    const scalar maxSpeed,
+    const scalar maxExcess
+) const
+{
+    constexpr scalar part = 0.25;
+    return
+        maxSpeed > part*maxMach_*cloud_.c0()
+     || maxExcess > part*maxDensityError_*cloud_.rho0();
+}
+
+
 void Foam::guard::checkState
 (
     const scalar maxSpeed,
@@ -145,7 +168,8 @@ void Foam::guard::checkState
         stop
         (
             "speed above " + std::to_string(maxMach_) + " c0",
-            firstAbove(cloud_.v(), maxMach_*cloud_.c0())
+            firstAbove(cloud_.v(), maxMach_*cloud_.c0()),
+            true
         );
     }
     if (!(maxExcess <= maxDensityError_*cloud_.rho0()))
@@ -157,7 +181,8 @@ void Foam::guard::checkState
             firstAbove
             (
                 cloud_.densityExcess(), maxDensityError_*cloud_.rho0()
-            )
+            ),
+            true
         );
     }
 }

@@ -141,7 +141,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     contact_(cloud_, search_),
     load_(mesh, cloud_, models_, wall_, neighbours_, search_),
     schedule_(models_, cloud_),
-    guard_(properties_, cloud_, [this]() { writeCloud(); }),
+    guard_(properties_, cloud_, [this]() { return writeLastGood(); }),
     rates_
     (
         cloud_, models_, schedule_, wall_, neighbours_, contact_, ledger_
@@ -215,6 +215,7 @@ void Foam::ulphSolver::evaluate()
 void Foam::ulphSolver::advance()
 {
     const scalar dt = time_.deltaTValue();
+    tools_->keep();
     models_.integration->advance(*tools_, time_.value() - dt, dt);
     tools_->finish();
     if (!neighbours_.contains())
@@ -258,6 +259,21 @@ void Foam::ulphSolver::writeCloud() const
     extra.add("time", time_.value());
     extra.add("maxAcceleration", tools_->maxAcceleration());
     cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
+}
+
+
+bool Foam::ulphSolver::writeLastGood()
+{
+    const bool kept = tools_ && tools_->restore();
+    if (kept)
+    {
+        time_.setTime
+        (
+            time_.value() - time_.deltaTValue(), time_.timeIndex() - 1
+        );
+    }
+    writeCloud();
+    return kept;
 }
 
 

@@ -7,15 +7,34 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields()
+std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields
+(
+    const word& copy
+)
 {
     ulphCloud& cloud = rates_.cloud();
     return
     {{
-        {cloud.x(), cloud.requireState("xSaved", cloud.D())},
-        {cloud.v(), cloud.requireState("vSaved", cloud.D())},
-        {cloud.densityExcess(), cloud.requireState("densityExcessSaved", 1)}
+        {cloud.x(), cloud.requireState("x" + copy, cloud.D())},
+        {cloud.v(), cloud.requireState("v" + copy, cloud.D())},
+        {cloud.densityExcess(), cloud.requireState("densityExcess" + copy, 1)}
     }};
+}
+
+
+void Foam::stepTools::measureExcess()
+{
+    const ulphCloud& cloud = rates_.cloud();
+    const double* const rho1 = cloud.densityExcess().component(0);
+    scalar largest = 0;
+
+    #pragma omp parallel for schedule(static) reduction(max : largest)
+    for (label i = 0; i < cloud.size(); ++i)
+    {
+        const scalar error = std::abs(rho1[i]);
+        largest = error > largest ? error : largest;
+    }
+    maxExcess_ = returnReduce(largest, maxOp<scalar>());
 }
 
 
@@ -47,6 +66,7 @@ Foam::stepTools::stepTools
     guard_(check)
 {
     measureSpeed();
+    measureExcess();
 }
 
 
@@ -69,6 +89,32 @@ void Foam::stepTools::measureSpeed()
         max2 = v2 > max2 ? v2 : max2;
     }
     maxSpeed_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
+}
+
+
+void Foam::stepTools::keep()
+{
+    kept_ = guard_.strained(maxSpeed_, maxExcess_);
+    if (kept_)
+    {
+        for (const savedField& field : savedFields("Kept"))
+        {
+            field.saved = field.now;
+        }
+    }
+}
+
+
+bool Foam::stepTools::restore()
+{
+    if (kept_)
+    {
+        for (const savedField& field : savedFields("Kept"))
+        {
+            field.now = field.saved;
+        }
+    }
+    return kept_;
 }
 
 
@@ -293,7 +339,7 @@ void Foam::stepTools::shift(const scalar dt)
 
 void Foam::stepTools::save()
 {
-    for (const savedField& field : savedFields())
+    for (const savedField& field : savedFields("Saved"))
     {
         field.saved = field.now;
     }
@@ -318,7 +364,7 @@ void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
         }
     };
 
-    const std::array<savedField, 3> fields(savedFields());
+    const std::array<savedField, 3> fields(savedFields("Saved"));
     for (const savedField& field : fields)
     {
         addTo(field.now, -1, field.saved);
@@ -341,12 +387,14 @@ void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
         book->setOffset(nullptr, nullptr);
     }
     measureSpeed();
+    measureExcess();
 }
 
 
 void Foam::stepTools::finish()
 {
     guard_.checkState(maxSpeed_, maxExcess_);
+    kept_ = false;
     if (energyBudget* const book = budget())
     {
         book->addBodyForce();

@@ -4,6 +4,7 @@
 """Reading of what ulphFoam wrote, by an own parser and by VTK.
 
     readBack.py finite <case> <time>            no value is NaN or infinite
+    readBack.py below <case> <time> <field> <bound>     no larger magnitude
     readBack.py openfoam <case> <time>          as vtkOpenFOAMReader sees it
     readBack.py vtp <case> <time> <file>        as in a .vtp of others
     readBack.py near <case> <other> <time>      two cases, to 1e-6
@@ -158,6 +159,11 @@ def main(what, case, *rest):
     if what == "finite":
         fields = {"positions": written[0], **written[1]}
         return [n for n, values in fields.items() if not np.isfinite(values).all()]
+
+    if what == "below":
+        values = np.atleast_2d(written[1][rest[1]].T)
+        largest = np.sqrt((values**2).sum(axis=0)).max()
+        return [] if largest <= float(rest[2]) else [f"{rest[1]} up to {largest}"]
 
     # VTK keeps single precision
     every = ["U", "p", "rho", "lambda", "surface", "normal"]
