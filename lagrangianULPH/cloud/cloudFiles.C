@@ -47,6 +47,7 @@ void Foam::writeChecked
     const fileName path(object.objectPath());
 
     bool good = false;
+    label line = 0;
     try
     {
         const errorsThrown guarded;
@@ -62,6 +63,7 @@ void Foam::writeChecked
         good = os.good() && object.writeHeader(os) && object.writeData(os);
         IOobject::writeEndDivider(os);
         os.stdStream().flush();
+        line = os.lineNumber();
         good = good && os.stdStream().good();
     }
     catch (const Foam::error&)
@@ -71,13 +73,13 @@ void Foam::writeChecked
     {
         removeCloud(time);
 
-        FatalErrorInFunction
+        FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, path, line)
             << "Cannot write " << path << nl
             << "    The disk may be full or the folder not writable. The "
             << "particles of this time are removed," << nl
             << "    times written before are intact: make room and restart "
             << "from the latest time."
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 }
 
