@@ -132,10 +132,10 @@ void Foam::ulphCloud::volumes
 {
     const double* const m = mass().component(0) + first;
     const double* const rho1 = densityExcess().component(0) + first;
-    for (label l = 0; l < count; ++l)
+    ulph::forLanes(count, [&](const int l)
     {
         V[l] = m[l]/(rho0() + rho1[l]);
-    }
+    });
 }
 
 

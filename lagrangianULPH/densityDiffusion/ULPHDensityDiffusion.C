@@ -5,7 +5,7 @@
 
 #include "ULPHDensityDiffusion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "symmetric.H"
+#include "momentTensor.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -50,17 +50,14 @@ void Foam::densityDiffusions::ULPHDensityDiffusion::addGradientRate
     ulph::laneRow& rate
 ) const
 {
-    for (int i = 0; i < D_; ++i)
+    ulph::laneRow Kb[3];
+    momentTensor::multiply(D_, sums.count, K, sums.b, Kb);
+    for (int k = 0; k < D_; ++k)
     {
-        for (int j = 0; j < D_; ++j)
+        ulph::forLanes(sums.count, [&](const int l)
         {
-            const int c = ulph::symmetricIndex(D_, i, j);
-            for (int l = 0; l < sums.count; ++l)
-            {
-                rate[l] -=
-                    diffusivity_*gradient[i][l]*K[c][l]*sums.b[j][l];
-            }
-        }
+            rate[l] -= diffusivity_*gradient[k][l]*Kb[k][l];
+        });
     }
 }
 
@@ -72,17 +69,10 @@ void Foam::densityDiffusions::ULPHDensityDiffusion::addForceRate
     ulph::laneRow& rate
 ) const
 {
-    for (int i = 0; i < D_; ++i)
-    {
-        for (int j = 0; j < D_; ++j)
-        {
-            const int c = ulph::symmetricIndex(D_, i, j);
-            for (int l = 0; l < sums.count; ++l)
-            {
-                rate[l] -= diffusivity_*K[c][l]*sums.H[i*D_ + j][l];
-            }
-        }
-    }
+    momentTensor::addContraction
+    (
+        D_, sums.count, -diffusivity_, K, sums.H, rate
+    );
 }
 
 

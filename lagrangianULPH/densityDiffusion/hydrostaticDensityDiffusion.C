@@ -5,7 +5,7 @@
 
 #include "hydrostaticDensityDiffusion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "symmetric.H"
+#include "momentTensor.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -40,17 +40,14 @@ void Foam::densityDiffusions::hydrostaticDensityDiffusion::addGradientRate
     ulph::laneRow& rate
 ) const
 {
-    for (int i = 0; i < D_; ++i)
+    ulph::laneRow Kb[3];
+    momentTensor::multiply(D_, sums.count, K, sums.b, Kb);
+    for (int k = 0; k < D_; ++k)
     {
-        for (int j = 0; j < D_; ++j)
+        ulph::forLanes(sums.count, [&](const int l)
         {
-            const int c = ulph::symmetricIndex(D_, i, j);
-            for (int l = 0; l < sums.count; ++l)
-            {
-                rate[l] -=
-                    2*diffusivity_*gradient[i][l]*K[c][l]*sums.b[j][l];
-            }
-        }
+            rate[l] -= 2*diffusivity_*gradient[k][l]*Kb[k][l];
+        });
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "laplacianDensityDiffusion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "symmetric.H"
+#include "momentTensor.H"
 #include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -54,17 +54,10 @@ void Foam::densityDiffusions::laplacianDensityDiffusion::addLaplacianRate
     ulph::laneRow& rate
 ) const
 {
-    for (int i = 0; i < D_; ++i)
-    {
-        for (int j = 0; j < D_; ++j)
-        {
-            const int c = ulph::symmetricIndex(D_, i, j);
-            for (int l = 0; l < sums.count; ++l)
-            {
-                rate[l] += 2*diffusivity_*K[c][l]*sums.Q[c][l];
-            }
-        }
-    }
+    momentTensor::addSymmetricContraction
+    (
+        D_, sums.count, 2*diffusivity_, K, sums.Q, rate
+    );
 }
 
 

@@ -40,10 +40,7 @@ void Foam::equationsOfState::linearEquationOfState::pressure
     double* p
 ) const
 {
-    for (label l = 0; l < count; ++l)
-    {
-        p[l] = c02_*densityExcess[l];
-    }
+    ulph::forLanes(count, [&](const int l) { p[l] = c02_*densityExcess[l]; });
 }
 
 

@@ -91,10 +91,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::eigenvalue
 ) const
 {
     momentTensor::smallestEigenvalue(D_, sums.count, sums.M, lambda);
-    for (int l = 0; l < sums.count; ++l)
-    {
-        lambda[l] /= sqr(dx_);
-    }
+    ulph::forLanes(sums.count, [&](const int l) { lambda[l] /= sqr(dx_); });
 }
 
 
@@ -134,10 +131,10 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::keepInside
 {
     ulph::laneRow surface;
     class_->load(0, first, count, surface);
-    for (label l = 0; l < count; ++l)
+    ulph::forLanes(count, [&](const int l)
     {
         values[l] = surface[l] == interior ? values[l] : 0;
-    }
+    });
 }
 
 

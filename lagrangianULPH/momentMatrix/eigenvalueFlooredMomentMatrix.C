@@ -52,14 +52,21 @@ void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::invert
     momentTensor::adjugate(D_, sums.count, sums.M, K, determinant);
     momentTensor::smallestEigenvalue(D_, sums.count, sums.M, lambda);
 
+    ulph::forLanes(sums.count, [&](const int l)
+    {
+        determinant[l] = 1/max(determinant[l], VSMALL);
+    });
+    for (int c = 0; c < ulph::nSymmetric(D_); ++c)
+    {
+        ulph::forLanes(sums.count, [&](const int l)
+        {
+            K[c][l] *= determinant[l];
+        });
+    }
+
     label nFloored = 0;
     for (int l = 0; l < sums.count; ++l)
     {
-        const scalar factor = 1/max(determinant[l], VSMALL);
-        for (int c = 0; c < ulph::nSymmetric(D_); ++c)
-        {
-            K[c][l] *= factor;
-        }
         if (!(lambda[l] > floor_))
         {
             momentTensor::flooredInverse(D_, l, sums.M, floor_, K);

@@ -115,16 +115,16 @@ void Foam::momentTensor::adjugate
 {
     if (D == 2)
     {
-        for (int l = 0; l < count; ++l)
+        ulph::forLanes(count, [&](const int l)
         {
             adj[0][l] = M[2][l];
             adj[1][l] = -M[1][l];
             adj[2][l] = M[0][l];
             determinant[l] = M[0][l]*M[2][l] - M[1][l]*M[1][l];
-        }
+        });
         return;
     }
-    for (int l = 0; l < count; ++l)
+    ulph::forLanes(count, [&](const int l)
     {
         const double xx = M[0][l];
         const double xy = M[1][l];
@@ -139,7 +139,7 @@ void Foam::momentTensor::adjugate
         adj[4][l] = xy*xz - xx*yz;
         adj[5][l] = xx*yy - xy*xy;
         determinant[l] = xx*adj[0][l] + xy*adj[1][l] + xz*adj[2][l];
-    }
+    });
 }
 
 
@@ -153,12 +153,12 @@ void Foam::momentTensor::smallestEigenvalue
 {
     if (D == 2)
     {
-        for (int l = 0; l < count; ++l)
+        ulph::forLanes(count, [&](const int l)
         {
             const double mean = 0.5*(M[0][l] + M[2][l]);
             const double half = 0.5*(M[0][l] - M[2][l]);
             lambda[l] = mean - std::sqrt(half*half + M[1][l]*M[1][l]);
-        }
+        });
         return;
     }
 
@@ -225,17 +225,72 @@ void Foam::momentTensor::multiply
 {
     for (int i = 0; i < D; ++i)
     {
-        for (int l = 0; l < count; ++l)
+        const ulph::laneRow& x = K[ulph::symmetricIndex(D, i, 0)];
+        const ulph::laneRow& y = K[ulph::symmetricIndex(D, i, 1)];
+        const ulph::laneRow& z = K[ulph::symmetricIndex(D, i, D - 1)];
+        if (D == 2)
         {
-            Ka[i][l] = 0;
+            ulph::forLanes(count, [&](const int l)
+            {
+                Ka[i][l] = x[l]*a[0][l] + y[l]*a[1][l];
+            });
         }
+        else
+        {
+            ulph::forLanes(count, [&](const int l)
+            {
+                Ka[i][l] = x[l]*a[0][l] + y[l]*a[1][l] + z[l]*a[2][l];
+            });
+        }
+    }
+}
+
+
+void Foam::momentTensor::addContraction
+(
+    const int D,
+    const int count,
+    const scalar factor,
+    const ulph::laneRow* K,
+    const ulph::laneRow* L,
+    ulph::laneRow& sum
+)
+{
+    for (int i = 0; i < D; ++i)
+    {
         for (int j = 0; j < D; ++j)
         {
-            const int c = ulph::symmetricIndex(D, i, j);
-            for (int l = 0; l < count; ++l)
+            const ulph::laneRow& k = K[ulph::symmetricIndex(D, i, j)];
+            const ulph::laneRow& m = L[i*D + j];
+            ulph::forLanes(count, [&](const int l)
             {
-                Ka[i][l] += K[c][l]*a[j][l];
-            }
+                sum[l] += factor*k[l]*m[l];
+            });
+        }
+    }
+}
+
+
+void Foam::momentTensor::addSymmetricContraction
+(
+    const int D,
+    const int count,
+    const scalar factor,
+    const ulph::laneRow* K,
+    const ulph::laneRow* Q,
+    ulph::laneRow& sum
+)
+{
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = i; j < D; ++j)
+        {
+            const int c = ulph::symmetricIndex(D, i, j);
+            const scalar weight = i == j ? factor : 2*factor;
+            ulph::forLanes(count, [&](const int l)
+            {
+                sum[l] += weight*K[c][l]*Q[c][l];
+            });
         }
     }
 }

@@ -122,8 +122,9 @@ void cellDistances
     }
 }
 
-// Room for as much again per cluster as so far: doubling, as vectors do, would
-// waste a quarter of the largest array on average
+// Room for as much again per cluster as so far, once there is something to judge
+// by: doubling, as vectors do, would waste a quarter of the largest array on
+// average
 void makeRoom
 (
     std::vector<std::uint32_t>& listed,
@@ -132,7 +133,7 @@ void makeRoom
 )
 {
     const std::size_t size = listed.size();
-    if (nDone == 0 || listed.capacity() - size > size/64)
+    if (16*nDone < nClusters || listed.capacity() - size > size/64)
     {
         return;
     }
@@ -206,25 +207,23 @@ void listSources
     }
 }
 
-} // End anonymous namespace
-
-void clusterList::formClusters
+// Consecutive targets of [first, last) as clusters of up to width
+void formBlock
 (
-    const sourceGroup& targets,
+    const clusterList::sourceGroup& targets,
+    int first,
+    const int last,
     const int width,
-    const double longest
+    const double longest,
+    std::vector<clusterList::cluster>& clusters
 )
 {
     const particleView& p = targets.particles;
-
-    clusters_.clear();
-    clusters_.reserve(p.n/width + 1);
-    int first = 0;
-    while (first < p.n)
+    while (first < last)
     {
         box b = boundingBox(p, first, 1);
         int count = 1;
-        for (; count < width && first + count < p.n; ++count)
+        for (; count < width && first + count < last; ++count)
         {
             const int i = first + count;
             box grown = b;
@@ -241,8 +240,43 @@ void clusterList::formClusters
             }
             b = grown;
         }
-        clusters_.push_back({targets.offset + first, count, 0, 0, 0, 0});
+        clusters.push_back({targets.offset + first, count, 0, 0, 0, 0});
         first += count;
+    }
+}
+
+} // End anonymous namespace
+
+void clusterList::formClusters
+(
+    const sourceGroup& targets,
+    const int width,
+    const double longest
+)
+{
+    // Clusters do not reach across blocks, however many threads form them
+    constexpr int blockSize = 64*maxLanes;
+    const int n = targets.particles.n;
+    const int nBlocks = (n + blockSize - 1)/blockSize;
+
+    std::vector<std::vector<cluster>> formed(nBlocks);
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < nBlocks; ++i)
+    {
+        const int first = i*blockSize;
+        formed[i].reserve(blockSize/width);
+        formBlock
+        (
+            targets, first, std::min(first + blockSize, n), width, longest,
+            formed[i]
+        );
+    }
+
+    clusters_.clear();
+    clusters_.reserve(n/width + nBlocks);
+    for (const std::vector<cluster>& block : formed)
+    {
+        clusters_.insert(clusters_.end(), block.begin(), block.end());
     }
 }
 
@@ -257,14 +291,16 @@ void clusterList::build
 {
     formClusters(targets, width, longest);
 
-    const int nParts = omp_get_max_threads();
+    // A few per thread: some clusters have more to search than others
+    const int nParts = 8*omp_get_max_threads();
     const int nClusters = size();
     parts_.resize(nParts);
 
-    #pragma omp parallel for schedule(static, 1)
+    #pragma omp parallel for schedule(dynamic, 1)
     for (int t = 0; t < nParts; ++t)
     {
-        std::vector<std::uint32_t>& part = parts_[t];
+        // Taken out: the heads of the parts lie side by side in one cache line
+        std::vector<std::uint32_t> part(std::move(parts_[t]));
         part.clear();
         const int start = int(std::int64_t(nClusters)*t/nParts);
         const int last = int(std::int64_t(nClusters)*(t + 1)/nParts);
@@ -289,6 +325,7 @@ void clusterList::build
             append(sources.wall);
             now.end = part.size();
         }
+        parts_[t] = std::move(part);
     }
 
     nPairs_ = 0;

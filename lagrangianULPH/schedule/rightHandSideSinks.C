@@ -22,17 +22,7 @@ static void storeDivergence
 )
 {
     ulph::laneRow div = {};
-    for (int i = 0; i < D; ++i)
-    {
-        for (int j = 0; j < D; ++j)
-        {
-            const int c = ulph::symmetricIndex(D, i, j);
-            for (int l = 0; l < sums.count; ++l)
-            {
-                div[l] += K[c][l]*sums.L[i*D + j][l];
-            }
-        }
-    }
+    momentTensor::addContraction(D, sums.count, 1, K, sums.L, div);
     divergence.store(0, sums.first, sums.count, div);
 }
 
@@ -278,10 +268,10 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
 
     for (int k = 0; k < D; ++k)
     {
-        for (label l = 0; l < n; ++l)
+        ulph::forLanes(n, [&](const int l)
         {
             a[k][l] = -(sums.pressure[k][l] + p[l]*Kb[k][l]);
-        }
+        });
     }
 
     const scalar mu = models_.viscous->mu();
@@ -292,14 +282,14 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
         const bool symmetric = models_.viscous->symmetric();
         for (int k = 0; k < D; ++k)
         {
-            for (label l = 0; l < n; ++l)
+            ulph::forLanes(n, [&](const int l)
             {
                 KA[k][l] =
                     symmetric
                   ? 0.5*mu*(KA[k][l] + sums.symmetricA[k][l])
                   : mu*KA[k][l];
                 a[k][l] += KA[k][l];
-            }
+            });
         }
         if (viscous_)
         {
@@ -316,10 +306,10 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
 
     for (int k = 0; k < D; ++k)
     {
-        for (label l = 0; l < n; ++l)
+        ulph::forLanes(n, [&](const int l)
         {
             a[k][l] /= cloud_.rho0() + rho1[l];
-        }
+        });
     }
     addBodyForce(sums.first, n, a);
     acceleration_.store(sums.first, n, a);

@@ -29,28 +29,11 @@ Foam::shiftings::FickianShifting::FickianShifting
     shifting
     (
         getInRange(dict, "C", 2, scalarMinMax::ge(0)),
-        cloud
-    ),
-    scale_(cloud.h()/cloud.shared().beta)
+        cloud,
+        "kernelGradient",
+        cloud.h()/cloud.shared().beta
+    )
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::shiftings::FickianShifting::direction
-(
-    const ulph::geometryBlock& sums,
-    ulph::laneRow* R
-) const
-{
-    for (int k = 0; k < D_; ++k)
-    {
-        for (int l = 0; l < sums.count; ++l)
-        {
-            R[k][l] = scale_*sums.b[k][l];
-        }
-    }
-}
 
 
 // ************************************************************************* //

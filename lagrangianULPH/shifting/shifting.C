@@ -8,9 +8,17 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::shifting::shifting(const scalar C, const ulphCloud& cloud)
+Foam::shifting::shifting
+(
+    const scalar C,
+    const ulphCloud& cloud,
+    const word& field,
+    const scalar scale
+)
 :
     D_(cloud.D()),
+    field_(field),
+    scale_(scale),
     C_(C),
     cap_(0.2*cloud.dx()),
     thin_(freeSurface::thinFraction*cloud.shared().beta/sqr(cloud.dx()))
@@ -42,7 +50,7 @@ void Foam::shifting::displacement
     label nCapped = 0;
     for (label l = 0; l < count; ++l)
     {
-        scalar factor = -C_*VmaxDt;
+        scalar factor = -C_*scale_*VmaxDt;
         if (surface_ && surface[l] != freeSurface::interior)
         {
             scalar normalPart = 0;
@@ -83,7 +91,7 @@ void Foam::shifting::displacement
 Foam::effectNeeds Foam::shifting::needs() const
 {
     effectNeeds all;
-    all.fields.set("shift", D_);
+    all.fields.set(field_, D_);
     all.geometry = ulph::momentSums;
     return all;
 }
@@ -91,7 +99,7 @@ Foam::effectNeeds Foam::shifting::needs() const
 
 void Foam::shifting::bind(ulphCloud& cloud)
 {
-    direction_ = cloud.derived("shift");
+    direction_ = cloud.derived(field_);
     surface_ = cloud.derived("surface");
     normal_ = cloud.derived("normal");
     lambda_ = cloud.derived("lambda");

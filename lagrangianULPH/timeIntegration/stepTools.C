@@ -79,14 +79,20 @@ void Foam::stepTools::measureSpeed()
     scalar max2 = 0;
 
     #pragma omp parallel for schedule(static) reduction(max : max2)
-    for (label i = 0; i < cloud.size(); ++i)
+    for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
     {
-        scalar v2 = 0;
+        const label n = min(label(ulph::maxLanes), cloud.size() - first);
+        ulph::laneRow v2 = {};
         for (int k = 0; k < D; ++k)
         {
-            v2 += sqr(cloud.v().component(k)[i] - wallVelocity_[cloud.axis(k)]);
+            const double* const v = cloud.v().component(k) + first;
+            const scalar wallV = wallVelocity_[cloud.axis(k)];
+            ulph::forLanes(n, [&](const int l) { v2[l] += sqr(v[l] - wallV); });
         }
-        max2 = v2 > max2 ? v2 : max2;
+        for (label l = 0; l < n; ++l)
+        {
+            max2 = v2[l] > max2 ? v2[l] : max2;
+        }
     }
     maxSpeed_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
 }
@@ -195,10 +201,7 @@ void Foam::stepTools::kick(const scalar dt)
         for (int k = 0; k < D; ++k)
         {
             double* const v = cloud.v().component(k) + first;
-            for (label l = 0; l < n; ++l)
-            {
-                v[l] += dt*rows[k][l];
-            }
+            ulph::forLanes(n, [&](const int l) { v[l] += dt*rows[k][l]; });
         }
     });
     if (energyBudget* const book = budget())
@@ -249,17 +252,21 @@ void Foam::stepTools::advanceDensity
             relaxation->load(0, first, n, relaxed);
             surface.keepInside(first, n, relaxed);
         }
+        double* const excess = rho1 + first;
         if (book)
         {
-            std::copy_n(rho1 + first, n, held);
+            std::copy_n(excess, n, held);
         }
         ulph::laneRow change;
         scalar sumOfTile = 0;
-        for (label l = 0; l < n; ++l)
+        ulph::forLanes(n, [&](const int l)
         {
             change[l] =
                 dtDiffusion*(diffused[l] + relaxed[l])
-              - dt*(rho0 + rho1[first + l])*div[l];
+              - dt*(rho0 + excess[l])*div[l];
+        });
+        for (label l = 0; l < n; ++l)
+        {
             sumOfTile += std::abs(change[l]);
         }
         sum += sumOfTile;
@@ -267,26 +274,23 @@ void Foam::stepTools::advanceDensity
         {
             continue;
         }
-        for (label l = 0; l < n; ++l)
-        {
-            rho1[first + l] += change[l];
-        }
+        ulph::forLanes(n, [&](const int l) { excess[l] += change[l]; });
         if (book)
         {
             book->addDensity
             (
-                first, n, dtDiffusion, diffused, relaxed, held, rho1 + first
+                first, n, dtDiffusion, diffused, relaxed, held, excess
             );
-            std::copy_n(rho1 + first, n, held);
+            std::copy_n(excess, n, held);
         }
-        surface.release(first, n, rho1 + first);
+        surface.release(first, n, excess);
         if (book)
         {
-            book->addRelease(first, n, held, rho1 + first);
+            book->addRelease(first, n, held, excess);
         }
         for (label l = 0; l < n; ++l)
         {
-            const scalar error = std::abs(rho1[first + l]);
+            const scalar error = std::abs(excess[l]);
             max = error > max ? error : max;
         }
     }

@@ -71,7 +71,7 @@ static const effectCase cases[] =
         "densityDiffusionNone",
         "densityDiffusion none;"
         "viscosity { type artificial; alpha 0.1; }",
-        core, viscous, "lambda normal shift surface"
+        core, viscous, "lambda normal surface"
     },
     {
         "shiftingNone",
@@ -92,14 +92,14 @@ static const effectCase cases[] =
         "viscosityNone",
         "viscosity none;",
         core | diffusion, ulph::densityDiffusionSums,
-        "densityDiffusion densityGradient lambda normal shift surface"
+        "densityDiffusion densityGradient lambda normal surface"
     },
     {
         "freeSurfaceNone",
         "freeSurface none;"
         "viscosity { type artificial; alpha 0.1; }",
         core | diffusion, viscous | ulph::densityDiffusionSums,
-        "densityDiffusion densityGradient shift"
+        "densityDiffusion densityGradient"
     }
 };
 

@@ -106,7 +106,7 @@ static void compare
         dvdt.add(library.vectorOf("acceleration", i), I.dvdt);
         shift.add
         (
-            library.vectorOf("shift", i),
+            library.shiftOf(i),
             Fickian ? vec(cloud.h()/cloud.shared().beta*I.b) : I.R
         );
         if (library.scalarOf("surface", i) > 0)

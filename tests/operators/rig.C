@@ -173,6 +173,12 @@ Foam::vec Foam::rig::vectorOf(const word& field, const int i) const
 }
 
 
+Foam::vec Foam::rig::shiftOf(const int i) const
+{
+    return models.shift->scale()*vectorOf(models.shift->field(), i);
+}
+
+
 Foam::mat Foam::rig::tensorOf(const word& field, const int i) const
 {
     const int D = cloud.D();

@@ -129,7 +129,7 @@ rotationErrors::rotationErrors
         );
         shift.add
         (
-            turned.vectorOf("shift", j), vec(R*straight.vectorOf("shift", i))
+            turned.shiftOf(j), vec(R*straight.shiftOf(i))
         );
         nClasses +=
             turned.scalarOf("surface", j) != straight.scalarOf("surface", i);
