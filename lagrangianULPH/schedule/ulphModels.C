@@ -66,7 +66,7 @@ static const char* const paperMode =
     "timeIntegration    predictorCorrector;";
 
 static const char* const stillWalls =
-    "viscosity          { type artificial; alpha 0.02; }";
+    "viscosity          { type artificial; alpha 0.005; }";
 
 static const char* const inviscid =
     "viscosity          none;";
