@@ -27,13 +27,27 @@ Foam::bodyForces::tankForce::tankForce
     const ulphCloud& cloud
 )
 :
-    motion_(dict, cloud.mesh().time())
+    motion_(dict, cloud.mesh())
 {
     if (dict.getOrDefault("gravity", true))
     {
         gravity_.reset(new gravityForce(dict, cloud));
     }
 }
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::linearAcceleration Foam::bodyForces::tankForce::at(const scalar t) const
+{
+    linearAcceleration f(motion_.inertia(t));
+    if (gravity_)
+    {
+        f.constant += motion_.rotation(t).T() & gravity_->at(t).constant;
+    }
+    return f;
+}
+
 
 
 // ************************************************************************* //

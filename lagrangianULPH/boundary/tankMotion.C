@@ -33,33 +33,52 @@ static dictionary clockControls()
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::FixedList<Foam::vector, 5> Foam::tankMotion::displacements
+Foam::FixedList<Foam::tankMotion::place, 5> Foam::tankMotion::around
 (
     const scalar t
 ) const
 {
-    FixedList<vector, 5> all;
+    FixedList<place, 5> all;
     forAll(all, i)
     {
-        all[i] = displacement(t + (i - 2)*interval);
+        all[i] = at(t + (i - 2)*interval);
     }
     return all;
 }
 
 
+template<class Type>
+Type Foam::tankMotion::rate(const FixedList<place, 5>& all, Type place::*x)
+{
+    return
+        (8*(all[3].*x - all[1].*x) - (all[4].*x - all[0].*x))/(12*interval);
+}
+
+
+template<class Type>
+Type Foam::tankMotion::secondRate(const FixedList<place, 5>& all, Type place::*x)
+{
+    return
+        (
+            16*(all[1].*x + all[3].*x) - (all[0].*x + all[4].*x) - 30*(all[2].*x)
+        )/(12*sqr(interval));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::tankMotion::tankMotion(const dictionary& dict, const Time& time)
+Foam::tankMotion::tankMotion(const dictionary& dict, const polyMesh& mesh)
 :
+    mesh_(mesh),
     dict_(dict),
     t0_(dict.getOrDefault<scalar>("t0", 0)),
     clock_
     (
         clockControls(),
-        time.rootPath(),
-        time.caseName(),
-        time.system(),
-        time.constant(),
+        mesh.time().rootPath(),
+        mesh.time().caseName(),
+        mesh.time().system(),
+        mesh.time().constant(),
         false,
         false
     ),
@@ -69,7 +88,7 @@ Foam::tankMotion::tankMotion(const dictionary& dict, const Time& time)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::tankMotion::displacement(const scalar t) const
+Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
 {
     septernion motion;
     #pragma omp critical(tankMotion)
@@ -78,32 +97,55 @@ Foam::vector Foam::tankMotion::displacement(const scalar t) const
         motion = function_->transformation();
     }
 
-    if (mag(motion.r().v()) > SMALL)
+    place now;
+    now.origin = motion.transformPoint(Zero);
+    for (direction d = 0; d < vector::nComponents; ++d)
     {
-        FatalIOErrorInFunction(dict_)
-            << "solidBodyMotionFunction " << function_->type()
-            << " turns the tank at time " << t << " s: only translations "
-            << "are provided." << nl
-            << "    Choose one, for instance oscillatingLinearMotion or "
-            << "linearMotion."
-            << exit(FatalIOError);
+        vector axis(Zero);
+        axis[d] = 1;
+        const vector turned(motion.transformPoint(axis) - now.origin);
+        if (mesh_.solutionD()[d] < 0 && mag(turned - axis) > SMALL)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "solidBodyMotionFunction " << function_->type()
+                << " turns the tank out of the plane of the flow at time " << t
+                << " s." << nl
+                << "    Choose an axis across the empty patches, or a "
+                << "motion that does not turn, for instance "
+                << "oscillatingLinearMotion."
+                << exit(FatalIOError);
+        }
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            now.axes(k, d) = turned[k];
+        }
     }
-    return motion.transformPoint(Zero);
+    return now;
 }
 
 
-Foam::vector Foam::tankMotion::velocity(const scalar t) const
+Foam::rigidVelocity Foam::tankMotion::velocity(const scalar t) const
 {
-    const FixedList<vector, 5> d(displacements(t));
-    return (8*(d[3] - d[1]) - (d[4] - d[0]))/(12*interval);
-}
-
-
-Foam::vector Foam::tankMotion::acceleration(const scalar t) const
-{
-    const FixedList<vector, 5> d(displacements(t));
+    const FixedList<place, 5> all(around(t));
+    const tensor toTank(all[2].axes.T());
     return
-        (16*(d[1] + d[3]) - (d[0] + d[4]) - 30*d[2])/(12*sqr(interval));
+    {
+        toTank & rate(all, &place::origin),
+        toTank & rate(all, &place::axes)
+    };
+}
+
+
+Foam::linearAcceleration Foam::tankMotion::inertia(const scalar t) const
+{
+    const FixedList<place, 5> all(around(t));
+    const tensor toTank(all[2].axes.T());
+    return
+    {
+        -(toTank & secondRate(all, &place::origin)),
+        -(toTank & secondRate(all, &place::axes)),
+        -2*(toTank & rate(all, &place::axes))
+    };
 }
 
 

@@ -109,7 +109,7 @@ void Foam::wallContact::update
 }
 
 
-void Foam::wallContact::limitVelocity(const vector& wallVelocity)
+void Foam::wallContact::limitVelocity(const rigidVelocity& walls)
 {
     const int D = cloud_.D();
     for (const plane& wall : planes_)
@@ -118,12 +118,13 @@ void Foam::wallContact::limitVelocity(const vector& wallVelocity)
         {
             continue;
         }
+        const vector wallV(walls(cloud_.position(wall.particle)));
         scalar approach = 0;
         for (int k = 0; k < D; ++k)
         {
             approach +=
                 (
-                    wallVelocity[cloud_.axis(k)]
+                    wallV[cloud_.axis(k)]
                   - cloud_.v().component(k)[wall.particle]
                 )*wall.normal[k];
         }

@@ -238,25 +238,11 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
 void Foam::wallLayer::setTime(const scalar t)
 {
     const int D = cloud_.D();
-    const vector wallV(motion_.velocity(t));
-    for (int k = 0; k < D; ++k)
-    {
-        wallV_[k] = wallV[cloud_.axis(k)];
-    }
-
-    const vector a(motion_.acceleration(t));
-    vector f(force_.acceleration(Zero, t) - a);
-    point p(Zero);
+    velocity_ = motion_.velocity(t);
+    const linearAcceleration force(motion_.atWall(force_.at(t), t));
     for (label i = 0; i < size(); ++i)
     {
-        if (!force_.uniform())
-        {
-            for (int k = 0; k < D; ++k)
-            {
-                p[cloud_.axis(k)] = x_(i, k);
-            }
-            f = force_.acceleration(p, t) - a;
-        }
+        const vector f(force(position(i)));
         for (int k = 0; k < D; ++k)
         {
             bodyForce_.set(i, k, f[cloud_.axis(k)]);
@@ -281,13 +267,16 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     reflection_.load(first, sums.count, R);
     bodyForce_.load(first, sums.count, f);
 
+    ulph::laneRow wallV[3];
     for (int l = 0; l < sums.count; ++l)
     {
+        const vector walls(velocity_(position(first + l)));
         rho1[l] = sums.w[l] > VSMALL ? sums.s[l]/sums.w[l] : 0;
         for (int k = 0; k < D; ++k)
         {
+            wallV[k][l] = walls[cloud_.axis(k)];
             fluid[k][l] =
-                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] - wallV_[k] : 0;
+                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
         }
     }
 
@@ -331,8 +320,8 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     {
         for (int l = 0; l < sums.count; ++l)
         {
-            v[k][l] += wallV_[k];
-            viscousV[k][l] += wallV_[k];
+            v[k][l] += wallV[k][l];
+            viscousV[k][l] += wallV[k][l];
         }
     }
 

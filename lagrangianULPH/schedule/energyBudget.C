@@ -131,7 +131,10 @@ Foam::scalar Foam::energyBudget::kinetic() const
 
 Foam::scalar Foam::energyBudget::potential() const
 {
-    const scalar t = cloud_.mesh().time().value();
+    const linearAcceleration force
+    (
+        models_.force->at(cloud_.mesh().time().value())
+    );
 
     return sumTiles(cloud_.size(), [&](const label first, const label n)
     {
@@ -139,7 +142,7 @@ Foam::scalar Foam::energyBudget::potential() const
         for (label i = first; i < first + n; ++i)
         {
             sum +=
-                cloud_.mass()(i)*models_.force->potential(cloud_.position(i), t);
+                cloud_.mass()(i)*force.potential(cloud_.position(i));
         }
         return sum;
     });
@@ -288,8 +291,10 @@ void Foam::energyBudget::addRelease
 void Foam::energyBudget::addBodyForce()
 {
     const Time& time = cloud_.mesh().time();
-    const scalar t1 = time.value();
-    const scalar t0 = t1 - time.deltaTValue();
+    const scalar dt = time.deltaTValue();
+    const linearAcceleration before(models_.force->at(time.value() - dt));
+    const linearAcceleration after(models_.force->at(time.value()));
+    const tensor noPotential(skew(after.perLength));
 
     add
     (
@@ -299,16 +304,13 @@ void Foam::energyBudget::addBodyForce()
             scalar sum = 0;
             for (label i = first; i < first + n; ++i)
             {
-                const point middle
-                (
-                    cloud_.position(i)
-                  - 0.5*time.deltaTValue()*cloud_.toVector(cloud_.v(), i)
-                );
+                const vector v(cloud_.toVector(cloud_.v(), i));
+                const point middle(cloud_.position(i) - 0.5*dt*v);
                 sum +=
                     cloud_.mass()(i)
                    *(
-                        models_.force->potential(middle, t1)
-                      - models_.force->potential(middle, t0)
+                        after.potential(middle) - before.potential(middle)
+                      + dt*(v & (noPotential & middle))
                     );
             }
             return sum;

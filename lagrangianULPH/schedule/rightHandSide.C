@@ -131,7 +131,8 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
         timer.addPairs(search_.fluidList().nPairs());
         geometrySink sink
         (
-            cloud_, models_, t, surfaceFirst, sums & ulph::laplacianSums
+            cloud_, models_, bodyForce(t), surfaceFirst,
+            sums & ulph::laplacianSums
         );
         search_.sums().geometry(search_.fluidList(), {}, sums, sink);
     }
@@ -197,7 +198,7 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     timer.addPairs(search_.fluidList().nPairs());
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    forceSink sink(cloud_, models_, t);
+    forceSink sink(cloud_, models_, bodyForce(t));
     search_.sums().force
     (
         search_.fluidList(), schedule_.forceSums(), viscous, sink

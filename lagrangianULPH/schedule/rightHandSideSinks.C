@@ -35,7 +35,7 @@ Foam::geometrySink::geometrySink
 (
     ulphCloud& cloud,
     ulphModels& models,
-    const scalar t,
+    const linearAcceleration& force,
     const bool surfaceKnown,
     const bool laplacian
 )
@@ -43,7 +43,7 @@ Foam::geometrySink::geometrySink
     cloud_(cloud),
     D_(cloud.D()),
     models_(models),
-    t_(t),
+    force_(force),
     surfaceKnown_(surfaceKnown),
     laplacian_(laplacian),
     K_(*cloud.derived("inverseMoment")),
@@ -66,13 +66,9 @@ void Foam::geometrySink::hydrostaticGradient
 ) const
 {
     const scalar scale = cloud_.rho0()/sqr(cloud_.c0());
-    vector f(models_.force->acceleration(Zero, t_));
     for (label l = 0; l < n; ++l)
     {
-        if (!models_.force->uniform())
-        {
-            f = models_.force->acceleration(cloud_.position(first + l), t_);
-        }
+        const vector f(force_(cloud_.position(first + l)));
         for (int k = 0; k < D_; ++k)
         {
             gradient[k][l] = scale*f[cloud_.axis(k)];
@@ -199,13 +195,12 @@ Foam::forceSink::forceSink
 (
     ulphCloud& cloud,
     const ulphModels& models,
-    const scalar t
+    const linearAcceleration& force
 )
 :
     cloud_(cloud),
     models_(models),
-    t_(t),
-    force_(models.force->acceleration(Zero, t)),
+    force_(force),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
@@ -221,25 +216,25 @@ void Foam::forceSink::addBodyForce
     ulph::laneRow* a
 ) const
 {
-    const bodyForce& force = *models_.force;
-    if (force.off())
-    {
-        return;
-    }
-    if (force.uniform())
+    if (force_.uniform())
     {
         for (int k = 0; k < cloud_.D(); ++k)
         {
-            for (label l = 0; l < n; ++l)
-            {
-                a[k][l] += force_[cloud_.axis(k)];
-            }
+            const scalar f = force_.constant[cloud_.axis(k)];
+            ulph::forLanes(n, [&](const int l) { a[k][l] += f; });
         }
         return;
     }
     for (label l = 0; l < n; ++l)
     {
-        const vector f(force.acceleration(cloud_.position(first + l), t_));
+        const vector f
+        (
+            force_
+            (
+                cloud_.position(first + l),
+                cloud_.toVector(cloud_.v(), first + l)
+            )
+        );
         for (int k = 0; k < cloud_.D(); ++k)
         {
             a[k][l] += f[cloud_.axis(k)];

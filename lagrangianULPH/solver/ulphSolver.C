@@ -121,7 +121,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     models_(properties_, cloud_),
     search_(mesh),
     locator_(mesh),
-    motion_(properties_, time),
+    motion_(properties_, mesh),
     wall_
     (
         cloud_,
@@ -165,7 +165,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
         (
             "maxAcceleration",
             cloud_.size()
-          ? mag(models_.force->acceleration(cloud_.position(0), time.value()))
+          ? mag(models_.force->at(time.value())(cloud_.position(0)))
           : 0
         )
     );

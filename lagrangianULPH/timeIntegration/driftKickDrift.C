@@ -45,7 +45,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     rates.geometry(middle, rightHandSide::laplacian::later);
     tools.advanceDensity(0.5*dt, 0);
     rates.force(middle, true);
-    tools.kick(dt);
+    tools.kick(dt, rates.bodyForce(middle).perVelocity);
     rates.divergence();
     tools.advanceDensity(0.5*dt, dt);
     tools.drift(middle, 0.5*dt);

@@ -86,8 +86,19 @@ void Foam::stepTools::measureSpeed()
         for (int k = 0; k < D; ++k)
         {
             const double* const v = cloud.v().component(k) + first;
-            const scalar wallV = wallVelocity_[cloud.axis(k)];
-            ulph::forLanes(n, [&](const int l) { v2[l] += sqr(v[l] - wallV); });
+            const direction d = cloud.axis(k);
+            ulph::laneRow wallV;
+            ulph::forLanes(n, [&](const int l) { wallV[l] = walls_.constant[d]; });
+            for (int m = 0; m < D; ++m)
+            {
+                const double* const x = cloud.x().component(m) + first;
+                const scalar perLength = walls_.perLength(d, cloud.axis(m));
+                ulph::forLanes(n, [&](const int l) { wallV[l] += perLength*x[l]; });
+            }
+            ulph::forLanes(n, [&](const int l)
+            {
+                v2[l] += sqr(v[l] - wallV[l]);
+            });
         }
         for (label l = 0; l < n; ++l)
         {
@@ -138,31 +149,48 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
-    wallVelocity_ = motion_.meanVelocity(t, dt);
+    walls_ = motion_.velocity(t + 0.5*dt);
 
     {
         energyBudget::change work
         (
             contactBudget(), energyBudget::contact, &energyBudget::kinetic
         );
-        contact_.limitVelocity(wallVelocity_);
+        contact_.limitVelocity(walls_);
     }
-    for (int k = 0; k < cloud.D(); ++k)
-    {
-        double* const x = cloud.x().component(k);
-        const double* const v = cloud.v().component(k);
-        const scalar wallV = wallVelocity_[cloud.axis(k)];
 
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < cloud.size(); ++i)
+    const int D = cloud.D();
+    const wallMotion::drift map(motion_.map(t, dt));
+    forTiles(cloud.size(), [&](const label first, const label n)
+    {
+        ulph::laneRow x[3];
+        ulph::laneRow v[3];
+        cloud.x().load(first, n, x);
+        cloud.v().load(first, n, v);
+        for (int k = 0; k < D; ++k)
         {
-            x[i] += dt*(v[i] - wallV);
+            const direction d = cloud.axis(k);
+            double* const to = cloud.x().component(k) + first;
+            ulph::forLanes(n, [&](const int l) { to[l] = map.shift[d]; });
+            for (int m = 0; m < D; ++m)
+            {
+                const scalar turn = map.turn(d, cloud.axis(m));
+                const scalar perVelocity = map.perVelocity(d, cloud.axis(m));
+                if (turn == 0 && perVelocity == 0)
+                {
+                    continue;
+                }
+                ulph::forLanes(n, [&](const int l)
+                {
+                    to[l] += turn*x[m][l] + perVelocity*v[m][l];
+                });
+            }
         }
-    }
+    });
 }
 
 
-void Foam::stepTools::kick(const scalar dt)
+void Foam::stepTools::kick(const scalar dt, const tensor& perVelocity)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
@@ -194,6 +222,7 @@ void Foam::stepTools::kick(const scalar dt)
     guard_.checkRates(std::isfinite(sum2), {"acceleration"});
     maxAcceleration_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
 
+    const tensor change(dt*inv(tensor::I - 0.5*dt*perVelocity));
     forTiles(cloud.size(), [&](const label first, const label n)
     {
         ulph::laneRow rows[3];
@@ -201,7 +230,17 @@ void Foam::stepTools::kick(const scalar dt)
         for (int k = 0; k < D; ++k)
         {
             double* const v = cloud.v().component(k) + first;
-            ulph::forLanes(n, [&](const int l) { v[l] += dt*rows[k][l]; });
+            for (int m = 0; m < D; ++m)
+            {
+                const scalar factor = change(cloud.axis(k), cloud.axis(m));
+                if (factor != 0)
+                {
+                    ulph::forLanes(n, [&](const int l)
+                    {
+                        v[l] += factor*rows[m][l];
+                    });
+                }
+            }
         }
     });
     if (energyBudget* const book = budget())

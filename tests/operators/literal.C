@@ -47,7 +47,7 @@ Foam::literal::literal(const rig& library, const coefficients& c)
     {
         return rig_.solved
         (
-            library.models.force->acceleration(rig_.unsolved(I.x), 0)
+            library.models.force->at(0)(rig_.unsolved(I.x))
         );
     };
     if (c_.hydrostatic)

@@ -36,7 +36,7 @@ void Foam::literal::setWalls()
         (
             rig_.solved
             (
-                rig_.models.force->acceleration(set.position[i], 0)
+                rig_.models.force->at(0)(set.position[i])
             )
         );
 

@@ -69,7 +69,8 @@ static void forceChecks
     const scene& where,
     const testCase& room,
     const std::string& model,
-    const std::function<vec(const vec&, const double)>& exact
+    const std::function<vec(const vec&, const vec&, const double)>& exact,
+    const double bound = 1e-13
 )
 {
     const rig library
@@ -81,16 +82,20 @@ static void forceChecks
     for (const double time : {0.0, 0.3, 0.9})
     {
         const vec x(random.vector(1));
+        const vec v(random.vector(1));
         error.add
         (
             library.solved
             (
-                library.models.force->acceleration(library.unsolved(x), time)
+                library.models.force->at(time)
+                (
+                    library.unsolved(x), library.unsolved(v)
+                )
             ),
-            exact(x, time)
+            exact(x, v, time)
         );
     }
-    t.check(where.name + " bodyForce " + model, error.absolute(), 1e-13);
+    t.check(where.name + " bodyForce " + model, error.absolute(), bound);
 }
 
 } // End namespace Foam
@@ -123,27 +128,46 @@ void Foam::modelChecks(tally& t)
         forceChecks
         (
             t, tank, room, "none;",
-            [](const vec&, double) { return vec(vec::Zero()); }
+            [](const vec&, const vec&, double) { return vec(vec::Zero()); }
         );
         forceChecks
         (
-            t, tank, room, "gravity;", [&](const vec&, double) { return g; }
+            t, tank, room, "gravity;",
+            [&](const vec&, const vec&, double) { return g; }
         );
         forceChecks
         (
             t, tank, room, "{ type central; Psi 3; centre (0.1 -0.2 0.3); }",
-            [&](const vec& x, double) { return vec(-9*(x - centre)); }
+            [&](const vec& x, const vec&, double) { return vec(-9*(x - centre)); }
         );
         const std::string table("acceleration table ((0 (0 0 0)) (1 (1 2 4)));");
         forceChecks
         (
             t, tank, room, "{ type Function1; " + table + " }",
-            [&](const vec&, double time) { return vec(g + time*slope); }
+            [&](const vec&, const vec&, double time) { return vec(g + time*slope); }
         );
         forceChecks
         (
             t, tank, room, "{ type Function1; gravity no; " + table + " }",
-            [&](const vec&, double time) { return vec(time*slope); }
+            [&](const vec&, const vec&, double time) { return vec(time*slope); }
+        );
+
+        // Turns about the y axis, with omega = 2: x along the tank's first axis,
+        // z along the vertical one
+        forceChecks
+        (
+            t, tank, room,
+            "{ type tankMotion; solidBodyMotionFunction rotatingMotion;"
+            "  origin (0 0 0); axis (0 1 0); omega 2; }",
+            [&](const vec& x, const vec& v, double time)
+            {
+                const int k = D == 2 ? 1 : 2;
+                vec f(vec::Zero());
+                f[0] = 9.81*std::sin(2*time) + 4*x[0] - 4*v[k];
+                f[k] = -9.81*std::cos(2*time) + 4*x[k] + 4*v[0];
+                return f;
+            },
+            1e-8
         );
     }
 }

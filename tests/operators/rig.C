@@ -66,7 +66,7 @@ Foam::rig::rig
     dict_(parse(properties)),
     weight_(dict_, where.mesh.nGeometricD(), dict_.get<scalar>("dx")),
     search_(where.mesh),
-    motion_(dict_, where.time),
+    motion_(dict_, where.mesh),
     cloud(where.mesh, shared(dict_, weight_), wordRes()),
     models(dict_, cloud),
     wall

@@ -29,7 +29,7 @@ Foam::exactFields::hydrostaticExact::hydrostaticExact
 )
 :
     rho0_(cloud.rho0()),
-    g_(bodyForces::gravityForce(dict, cloud).acceleration(Zero, 0)),
+    g_(bodyForces::gravityForce(dict, cloud).at(0).constant),
     level_(dict.get<scalar>("level")),
     pRef_(dict.getOrDefault<scalar>("pRef", 0))
 {}

@@ -29,7 +29,7 @@ Foam::exactFields::standingWaveExact::standingWaveExact
 )
 :
     rho0_(cloud.rho0()),
-    g_(bodyForces::gravityForce(dict, cloud).acceleration(Zero, 0)),
+    g_(bodyForces::gravityForce(dict, cloud).at(0).constant),
     A_(dict.get<scalar>("A")),
     k_(dict.get<scalar>("k")),
     H_(dict.get<scalar>("H")),
