@@ -17,9 +17,10 @@ plt = pyplot()
 TITLES = {
     "default": "default mode",
     "paper": "paper mode",
-    "lowViscosity": r"default mode, $\alpha$ = 0.02",
+    "lowViscosity": "default mode",
+    "fine": "dx 0.005",
 }
-COLOURS = {"default": "C0", "paper": "C3", "lowViscosity": "C2"}
+COLOURS = {"default": "C0", "paper": "C3", "lowViscosity": "C2", "fine": "C4"}
 
 # Values of the field surface: interior, vicinity, surface, splash
 CLASSES = ["#1f4fd8", "#e02020", "#12b312", "#0b5f0b"]
@@ -90,8 +91,8 @@ def frontPicture(cases, file):
         label="Martin & Moyce 1952, base H/2",
     )
     for mode, case in cases.items():
-        alpha = case.entry("viscosity/alpha", default=0.02)
-        label = TITLES["default" if mode == "lowViscosity" else mode]
+        alpha = case.entry("viscosity/alpha", default=0.005)
+        label = TITLES[mode]
         axes.plot(
             *fronts(case),
             color=COLOURS[mode],
@@ -137,7 +138,7 @@ if __name__ == "__main__":
 
     frontPicture(cases, pictures / "front.png")
     for mode in modes:
-        if mode != "lowViscosity":
+        if mode in ("default", "paper"):
             surfacePicture(cases[mode], mode, pictures / f"surface-{mode}.png")
             pressurePicture(cases[mode], mode, pictures / f"pressure-{mode}.png")
     print(f"Pictures are in {pictures}")

@@ -2,9 +2,9 @@
 
 import sys
 
-from dam import PRESSURES, Run, delay, impact
+from dam import PRESSURES, delay, impact, runs
 from ulphCase import Checks
-from ulphStudy import bySpacing, figuresFolder, writeRows
+from ulphStudy import figuresFolder, writeRows
 
 
 def checkPressures(check, name, row):
@@ -23,7 +23,8 @@ def checkPressures(check, name, row):
 def main(room):
     check = Checks()
     rows = []
-    for run in bySpacing(room, Run):
+    found, high = runs(room)
+    for run in found + high:
         name, row = run.folder.name + ".", run.row()
         check(name + "finished", run.case.finished(), 1, 1)
         check(name + "particlesLost", run.particles[0] - run.particles[-1], 0, 0)
@@ -32,7 +33,7 @@ def main(room):
         if run.dx <= 0.01:
             check(name + "frontError", row["frontError"], None, 0.03)
             checkPressures(check, name, row)
-        else:
+        elif not run.high:
             # Bounds of the coarse form: viscosity grows with dx and holds the front
             check(name + "frontError", row["frontError"], None, 0.25)
             check(name + "impact", row["impact"], 2.2, 2.8)

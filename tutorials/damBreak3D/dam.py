@@ -1,6 +1,7 @@
 """Runs of the dam break in three dimensions: front, sensors, references.
 
-Lengths are over H = 0.3 m, times over sqrt(H/g), pressures over rho g H.
+Lengths are over the height H of the column, times over sqrt(H/g), pressures over
+rho g H.
 """
 
 import pathlib
@@ -10,12 +11,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
 
 import numpy as np
 from ulphCase import Case, readTable
-from ulphStudy import cost, table
+from ulphStudy import bySpacing, cost, table
 
-HEIGHT, LENGTH, TANK = 0.3, 0.6, 1.61  # of the column and of the tank [m]
-WIDTH = 0.15  # [m]
-PER_SECOND = np.sqrt(9.81 / HEIGHT)
-UNIT = 1000 * 9.81 * HEIGHT  # [Pa]
+TANK, WIDTH = 1.61, 0.15  # [m]
 SENSORS = (0.003, 0.015, 0.03, 0.08)  # heights on the downstream wall [m]
 
 POTENTIAL = readTable("reference/potential_L2H_front.csv")
@@ -51,24 +49,28 @@ def noise(t, p, first=3, last=6, window=0.1):
 
 
 class Run:
-    """A folder dx<spacing>."""
+    """A folder dx<spacing>, or H600-dx<spacing>."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
-        self.dx = float(self.folder.name[2:])
+        self.high = self.folder.name.startswith("H600")
+        self.H = 0.6 if self.high else 0.3  # [m]
+        self.perSecond = np.sqrt(9.81 / self.H)
+        self.unit = 1000 * 9.81 * self.H  # [Pa]
+        self.dx = float(self.folder.name.partition("dx")[2])
         self.case = Case(folder)
         clouds = [self.case.cloud(t)["x"] for t in self.case.times]
         self.particles = [len(x) for x in clouds]
         self.outside = sum(self.countOutside(x) for x in clouds)
         front = table(folder, "front")
-        self.frontTimes = front["Time"] * PER_SECOND
-        self.front = front["front"] / HEIGHT
+        self.frontTimes = front["Time"] * self.perSecond
+        self.front = front["front"] / self.H
         sensors = table(folder, "sensors")
-        self.times = sensors["Time"] * PER_SECOND
-        self.pressures = [sensors[f"p_{k}"] / UNIT for k in range(len(SENSORS))]
+        self.times = sensors["Time"] * self.perSecond
+        self.pressures = [sensors[f"p_{k}"] / self.unit for k in range(len(SENSORS))]
         # On the downstream wall, over rho g H^2 times its width
         force = table(folder, "forces", "force")["total_x"]
-        self.force = force / (UNIT * HEIGHT * WIDTH)
+        self.force = force / (self.unit * self.H * WIDTH)
 
     def countOutside(self, x):
         low, high = self.case.bounds[:, 0], self.case.bounds[:, 1]
@@ -76,7 +78,9 @@ class Run:
 
     def frontError(self):
         """Largest error of the distance travelled, over it, from t = 1 to the impact."""
-        before = (self.front < TANK / HEIGHT - 0.1) & (self.frontTimes > 1)
+        if self.high:
+            return np.nan  # potential flow is known for L = 2 H alone
+        before = (self.front < TANK / self.H - 0.1) & (self.frontTimes > 1)
         t = self.frontTimes[before]
         exact = np.interp(t, POTENTIAL[:, 0], POTENTIAL[:, 1])
         return np.abs((self.front[before] - exact) / (exact - 2)).max()
@@ -99,3 +103,9 @@ class Run:
             row[f"peak{k + 1}"] = float(self.pressures[k].max())
             row[f"plateau{k + 1}"] = float(self.pressures[k][plateau].mean())
         return {**row, **cost(self.folder)}
+
+
+def runs(room):
+    """The runs with H = 0.3 m, coarse to fine, and those with 0.6 m."""
+    high = [Run(folder) for folder in pathlib.Path(room).glob("H600-*")]
+    return bySpacing(room, Run), high

@@ -3,9 +3,9 @@
 import sys
 
 import numpy as np
-from dam import FRONT, PER_SECOND, POTENTIAL, PRESSURES, SENSORS, UNIT, Run, delay
+from dam import FRONT, POTENTIAL, PRESSURES, SENSORS, delay, runs
 from ulphCase import drawBox, drawParticles, pyplot, savePicture
-from ulphStudy import bySpacing, figuresFolder
+from ulphStudy import figuresFolder
 
 plt = pyplot()
 
@@ -43,18 +43,20 @@ def views(run, file):
     for axes, time in zip(grid.flat, times):
         cloud = run.case.cloud(run.case.nearest(time))
         order = np.argsort(-cloud["x"][:, 1])
-        places, p = cloud["x"][order][:, [0, 2]], cloud["p"][order] / UNIT
+        places, p = cloud["x"][order][:, [0, 2]], cloud["p"][order] / run.unit
         drawParticles(axes, places, run.dx, array=p).set_clim(0, 1)
-        drawBox(axes, run.case.bounds[[0, 2]], top=0.6)
-        axes.set_title(f"p/(rho g H), t sqrt(g/H) = {time * PER_SECOND:.2f}")
+        drawBox(axes, run.case.bounds[[0, 2]], top=2 * run.H)
+        axes.set_title(f"p/(rho g H), t sqrt(g/H) = {time * run.perSecond:.2f}")
     savePicture(figure, file)
 
 
 def main(room):
     figures = figuresFolder(room)
-    found = bySpacing(room, Run)
+    found, high = runs(room)
     curves(found, figures / "curves.png")
     views(found[-1], figures / "views.png")
+    for run in high:
+        views(run, figures / "views-H600.png")
     print(f"Pictures are in {figures}")
 
 

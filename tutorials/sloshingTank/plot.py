@@ -2,7 +2,7 @@
 
 import sys
 
-from tank import EXPERIMENT, GAUGES, POTENTIAL, runs
+from tank import DEEP_POTENTIAL, EXPERIMENT, GAUGES, POTENTIAL, runs
 from ulphCase import Case, drawBox, drawParticles, pyplot, savePicture
 from ulphStudy import figuresFolder
 
@@ -19,8 +19,11 @@ def elevations(found, file):
             axes[k].plot(run.times, run.elevations[k], lw=1, label=run.folder.name)
         axes[k].set(ylabel="elevation [m]", title=f"depth 0.5 m, {x:g} m from the wall")
     axes[0].legend(fontsize=7, loc="upper left")
-    for run in deep:
+    if deep:
+        t, eta, _ = DEEP_POTENTIAL.T
+        axes[2].plot(t, eta, "k-", lw=1, label="potential")
         axes[2].plot(EXPERIMENT[:, 0], EXPERIMENT[:, 1], "k.", ms=3, label="experiment")
+    for run in deep:
         axes[2].plot(run.times, run.elevations[0], lw=1, label=run.folder.name)
         axes[2].set(ylabel="elevation [m]", title="depth 0.6 m, T = 1.3 s, 0.05 m")
         axes[2].legend(fontsize=7, loc="upper left")

@@ -10,6 +10,7 @@ from ulphCase import readTable
 from ulphStudy import cost, table
 
 POTENTIAL = readTable("reference/potential_h0.5_T1.875_A0.032_L1.72.csv")
+DEEP_POTENTIAL = readTable("reference/potential_h0.6_T1.3_A0.032_L1.73.csv")
 EXPERIMENT = readTable("reference/faltinsen2000_h0.6_T1.3_A0.032.csv")
 GAUGES = (0.05, 0.5)  # from the left wall [m]
 
@@ -38,11 +39,6 @@ class Run:
         self.elevations = [columns[f"highest_{k}"] - self.depth for k in (0, 1)]
         self.moments = table(folder, "moments")
 
-    @property
-    def reference(self):
-        """Times and elevations at the gauges: potential flow or experiment."""
-        return EXPERIMENT if self.what == "depth0.6" else POTENTIAL
-
     def crestErrors(self):
         """Error of time [s] and relative error of height, first crests at gauge 0."""
         exact = crests(POTENTIAL[:, 0], POTENTIAL[:, 1])
@@ -55,9 +51,9 @@ class Run:
             rows.append((self.times[i] - t, self.elevations[0][i] / height - 1))
         return np.array(rows).reshape(-1, 2)
 
-    def rms(self):
+    def rms(self, reference):
         """Root mean square error at gauge 0 over the largest reference elevation."""
-        t, eta = self.reference[:, 0], self.reference[:, 1]
+        t, eta = reference[:, 0], reference[:, 1]
         inside = t <= min(9.9, self.times[-1])
         error = np.interp(t[inside], self.times, self.elevations[0]) - eta[inside]
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
@@ -80,10 +76,12 @@ class Run:
             known = k < len(errors)
             row[f"crest{k + 1}Time"] = float(errors[k, 0]) if known else np.nan
             row[f"crest{k + 1}Height"] = float(errors[k, 1]) if known else np.nan
+        deep = self.what == "depth0.6"
         volume = self.moments["volume"]
         return {
             **row,
-            "rms": float(self.rms()),
+            "rms": float(self.rms(DEEP_POTENTIAL if deep else POTENTIAL)),
+            "rmsExperiment": float(self.rms(EXPERIMENT)) if deep else np.nan,
             "volumeDrift": float(np.abs(volume / volume[0] - 1).max()),
             **cost(self.folder),
         }
