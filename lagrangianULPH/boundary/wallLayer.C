@@ -239,7 +239,7 @@ void Foam::wallLayer::setTime(const scalar t)
 {
     const int D = cloud_.D();
     velocity_ = motion_.velocity(t);
-    const linearAcceleration force(motion_.atWall(force_.at(t), t));
+    const linearAcceleration force(forceAtRest(t));
     for (label i = 0; i < size(); ++i)
     {
         const vector f(force(position(i)));

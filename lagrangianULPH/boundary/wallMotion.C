@@ -24,7 +24,7 @@ Foam::linearAcceleration Foam::wallMotion::seen
 }
 
 
-Foam::linearAcceleration Foam::wallMotion::atWall
+Foam::linearAcceleration Foam::wallMotion::atRest
 (
     const linearAcceleration& f,
     const scalar t

@@ -131,7 +131,7 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
         timer.addPairs(search_.fluidList().nPairs());
         geometrySink sink
         (
-            cloud_, models_, bodyForce(t), surfaceFirst,
+            cloud_, models_, wall_.forceAtRest(t), surfaceFirst,
             sums & ulph::laplacianSums
         );
         search_.sums().geometry(search_.fluidList(), {}, sums, sink);

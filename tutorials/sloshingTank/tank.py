@@ -58,9 +58,10 @@ class Run:
         error = np.interp(t[inside], self.times, self.elevations[0]) - eta[inside]
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
 
-    def difference(self, other):
-        """Largest difference of the elevations from another run's, over its maximum."""
-        end = min(self.times[-1], other.times[-1])
+    def difference(self, other, end=np.inf):
+        """Largest difference of the elevations from another run's up to a time [s],
+        over its maximum."""
+        end = min(self.times[-1], other.times[-1], end)
         t = np.linspace(0, end, 2001)
         largest = []
         for own, others in zip(self.elevations, other.elevations):
