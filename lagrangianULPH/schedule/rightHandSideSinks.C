@@ -5,8 +5,6 @@
 
 #include "rightHandSideSinks.H"
 
-#include "symmetric.H"
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
