@@ -38,16 +38,15 @@ Foam::bodyForces::tankForce::tankForce
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::linearAcceleration Foam::bodyForces::tankForce::at(const scalar t) const
+Foam::linearMap Foam::bodyForces::tankForce::at(const scalar t) const
 {
-    linearAcceleration f(motion_.inertia(t));
+    linearMap f(motion_.inertia(t));
     if (gravity_)
     {
         f.constant += motion_.rotation(t).T() & gravity_->at(t).constant;
     }
     return f;
 }
-
 
 
 // ************************************************************************* //

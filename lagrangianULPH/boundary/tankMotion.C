@@ -104,7 +104,7 @@ Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
         vector axis(Zero);
         axis[d] = 1;
         const vector turned(motion.transformPoint(axis) - now.origin);
-        if (mesh_.solutionD()[d] < 0 && mag(turned - axis) > SMALL)
+        if (mesh_.solutionD()[d] < 0 && mag(turned - axis) > ROOTSMALL)
         {
             FatalIOErrorInFunction(dict_)
                 << "solidBodyMotionFunction " << function_->type()
@@ -124,19 +124,20 @@ Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
 }
 
 
-Foam::rigidVelocity Foam::tankMotion::velocity(const scalar t) const
+Foam::linearMap Foam::tankMotion::velocity(const scalar t) const
 {
     const FixedList<place, 5> all(around(t));
     const tensor toTank(all[2].axes.T());
     return
     {
         toTank & rate(all, &place::origin),
-        toTank & rate(all, &place::axes)
+        toTank & rate(all, &place::axes),
+        tensor::zero
     };
 }
 
 
-Foam::linearAcceleration Foam::tankMotion::inertia(const scalar t) const
+Foam::linearMap Foam::tankMotion::inertia(const scalar t) const
 {
     const FixedList<place, 5> all(around(t));
     const tensor toTank(all[2].axes.T());

@@ -109,7 +109,7 @@ void Foam::wallContact::update
 }
 
 
-void Foam::wallContact::limitVelocity(const rigidVelocity& walls)
+void Foam::wallContact::limitVelocity(const linearMap& walls)
 {
     const int D = cloud_.D();
     for (const plane& wall : planes_)

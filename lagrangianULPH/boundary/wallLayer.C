@@ -237,17 +237,14 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
 
 void Foam::wallLayer::setTime(const scalar t)
 {
-    const int D = cloud_.D();
     velocity_ = motion_.velocity(t);
-    const linearAcceleration force(forceAtRest(t));
-    for (label i = 0; i < size(); ++i)
+    const linearMap force(forceAtRest(t));
+    forTiles(size(), [&](const label first, const label count)
     {
-        const vector f(force(position(i)));
-        for (int k = 0; k < D; ++k)
-        {
-            bodyForce_.set(i, k, f[cloud_.axis(k)]);
-        }
-    }
+        ulph::laneRow f[3];
+        force.rows(cloud_, x_, nullptr, first, count, f);
+        bodyForce_.store(first, count, f);
+    });
 }
 
 
@@ -268,13 +265,13 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     bodyForce_.load(first, sums.count, f);
 
     ulph::laneRow wallV[3];
+    velocity_.rows(cloud_, x_, nullptr, first, sums.count, wallV);
+
     for (int l = 0; l < sums.count; ++l)
     {
-        const vector walls(velocity_(position(first + l)));
         rho1[l] = sums.w[l] > VSMALL ? sums.s[l]/sums.w[l] : 0;
         for (int k = 0; k < D; ++k)
         {
-            wallV[k][l] = walls[cloud_.axis(k)];
             fluid[k][l] =
                 sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
         }

@@ -7,9 +7,9 @@
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::linearAcceleration Foam::wallMotion::seen
+Foam::linearMap Foam::wallMotion::seen
 (
-    const linearAcceleration& f,
+    const linearMap& f,
     const scalar t
 ) const
 {
@@ -17,16 +17,16 @@ Foam::linearAcceleration Foam::wallMotion::seen
     {
         return f;
     }
-    linearAcceleration turned(f);
+    linearMap turned(f);
     turned.constant = motion_->rotation(t).T() & f.constant;
     turned.perVelocity -= motion_->velocity(t).perLength;
     return turned;
 }
 
 
-Foam::linearAcceleration Foam::wallMotion::atRest
+Foam::linearMap Foam::wallMotion::atRest
 (
-    const linearAcceleration& f,
+    const linearMap& f,
     const scalar t
 ) const
 {
@@ -34,31 +34,32 @@ Foam::linearAcceleration Foam::wallMotion::atRest
     {
         return f;
     }
-    linearAcceleration total(motion_->inertia(t));
+    linearMap total(motion_->inertia(t));
     total.constant += motion_->rotation(t).T() & f.constant;
     total.perLength += f.perLength;
     return total;
 }
 
 
-Foam::wallMotion::drift Foam::wallMotion::map
+Foam::linearMap Foam::wallMotion::drift
 (
     const scalar t,
     const scalar dt
 ) const
 {
-    drift all;
-    all.perVelocity *= dt;
-    if (motion_)
+    if (!motion_)
     {
-        const tankMotion::place before(motion_->at(t));
-        const tankMotion::place after(motion_->at(t + dt));
-        const tensor toTank(after.axes.T());
-        all.turn = toTank & before.axes;
-        all.shift = toTank & (before.origin - after.origin);
-        all.perVelocity = dt*(toTank & motion_->rotation(t + 0.5*dt));
+        return {Zero, tensor::I, dt*tensor::I};
     }
-    return all;
+    const tankMotion::place before(motion_->at(t));
+    const tankMotion::place after(motion_->at(t + dt));
+    const tensor toTank(after.axes.T());
+    return
+    {
+        toTank & (before.origin - after.origin),
+        toTank & before.axes,
+        dt*(toTank & motion_->rotation(t + 0.5*dt))
+    };
 }
 
 

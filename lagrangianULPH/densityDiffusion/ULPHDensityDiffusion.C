@@ -52,13 +52,7 @@ void Foam::densityDiffusions::ULPHDensityDiffusion::addGradientRate
 {
     ulph::laneRow Kb[3];
     momentTensor::multiply(D_, sums.count, K, sums.b, Kb);
-    for (int k = 0; k < D_; ++k)
-    {
-        ulph::forLanes(sums.count, [&](const int l)
-        {
-            rate[l] -= diffusivity_*gradient[k][l]*Kb[k][l];
-        });
-    }
+    momentTensor::addDot(D_, sums.count, -diffusivity_, gradient, Kb, rate);
 }
 
 

@@ -98,6 +98,20 @@ Lanes smallestOf3(const int lane, const ulph::laneRow* M, Lanes& lambda)
     return r;
 }
 
+
+// sum += factor a b
+inline void addProduct
+(
+    const int count,
+    const scalar factor,
+    const ulph::laneRow& a,
+    const ulph::laneRow& b,
+    ulph::laneRow& sum
+)
+{
+    ulph::forLanes(count, [&](const int l) { sum[l] += factor*a[l]*b[l]; });
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
@@ -225,23 +239,29 @@ void Foam::momentTensor::multiply
 {
     for (int i = 0; i < D; ++i)
     {
-        const ulph::laneRow& x = K[ulph::symmetricIndex(D, i, 0)];
-        const ulph::laneRow& y = K[ulph::symmetricIndex(D, i, 1)];
-        const ulph::laneRow& z = K[ulph::symmetricIndex(D, i, D - 1)];
-        if (D == 2)
+        ulph::laneRow& row = Ka[i];
+        ulph::forLanes(count, [&](const int l) { row[l] = 0; });
+        for (int j = 0; j < D; ++j)
         {
-            ulph::forLanes(count, [&](const int l)
-            {
-                Ka[i][l] = x[l]*a[0][l] + y[l]*a[1][l];
-            });
+            addProduct(count, 1, K[ulph::symmetricIndex(D, i, j)], a[j], row);
         }
-        else
-        {
-            ulph::forLanes(count, [&](const int l)
-            {
-                Ka[i][l] = x[l]*a[0][l] + y[l]*a[1][l] + z[l]*a[2][l];
-            });
-        }
+    }
+}
+
+
+void Foam::momentTensor::addDot
+(
+    const int D,
+    const int count,
+    const scalar factor,
+    const ulph::laneRow* a,
+    const ulph::laneRow* b,
+    ulph::laneRow& sum
+)
+{
+    for (int k = 0; k < D; ++k)
+    {
+        addProduct(count, factor, a[k], b[k], sum);
     }
 }
 
@@ -256,17 +276,9 @@ void Foam::momentTensor::addContraction
     ulph::laneRow& sum
 )
 {
-    for (int i = 0; i < D; ++i)
+    for (int c = 0; c < D*D; ++c)
     {
-        for (int j = 0; j < D; ++j)
-        {
-            const ulph::laneRow& k = K[ulph::symmetricIndex(D, i, j)];
-            const ulph::laneRow& m = L[i*D + j];
-            ulph::forLanes(count, [&](const int l)
-            {
-                sum[l] += factor*k[l]*m[l];
-            });
-        }
+        addProduct(count, factor, K[ulph::symmetricIndex(D, c/D, c%D)], L[c], sum);
     }
 }
 
@@ -286,11 +298,7 @@ void Foam::momentTensor::addSymmetricContraction
         for (int j = i; j < D; ++j)
         {
             const int c = ulph::symmetricIndex(D, i, j);
-            const scalar weight = i == j ? factor : 2*factor;
-            ulph::forLanes(count, [&](const int l)
-            {
-                sum[l] += weight*K[c][l]*Q[c][l];
-            });
+            addProduct(count, i == j ? factor : 2*factor, K[c], Q[c], sum);
         }
     }
 }

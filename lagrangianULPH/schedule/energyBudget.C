@@ -25,6 +25,21 @@ const Foam::Enum<Foam::energyBudget::effect> Foam::energyBudget::effectNames
 });
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Potential [m^2/s^2] of all of a force but the part that has none: perVelocity,
+// and what is antisymmetric in perLength
+static scalar potentialOf(const linearMap& force, const point& x)
+{
+    return -((force.constant + 0.5*(symm(force.perLength) & x)) & x);
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Value>
@@ -131,7 +146,7 @@ Foam::scalar Foam::energyBudget::kinetic() const
 
 Foam::scalar Foam::energyBudget::potential() const
 {
-    const linearAcceleration force
+    const linearMap force
     (
         models_.force->at(cloud_.mesh().time().value())
     );
@@ -142,7 +157,7 @@ Foam::scalar Foam::energyBudget::potential() const
         for (label i = first; i < first + n; ++i)
         {
             sum +=
-                cloud_.mass()(i)*force.potential(cloud_.position(i));
+                cloud_.mass()(i)*potentialOf(force, cloud_.position(i));
         }
         return sum;
     });
@@ -292,8 +307,8 @@ void Foam::energyBudget::addBodyForce()
 {
     const Time& time = cloud_.mesh().time();
     const scalar dt = time.deltaTValue();
-    const linearAcceleration before(models_.force->at(time.value() - dt));
-    const linearAcceleration after(models_.force->at(time.value()));
+    const linearMap before(models_.force->at(time.value() - dt));
+    const linearMap after(models_.force->at(time.value()));
     const tensor noPotential(skew(after.perLength));
 
     add
@@ -309,7 +324,7 @@ void Foam::energyBudget::addBodyForce()
                 sum +=
                     cloud_.mass()(i)
                    *(
-                        after.potential(middle) - before.potential(middle)
+                        potentialOf(after, middle) - potentialOf(before, middle)
                       + dt*(v & (noPotential & middle))
                     );
             }

@@ -33,7 +33,7 @@ Foam::geometrySink::geometrySink
 (
     ulphCloud& cloud,
     ulphModels& models,
-    const linearAcceleration& force,
+    const linearMap& force,
     const bool surfaceKnown,
     const bool laplacian
 )
@@ -64,13 +64,10 @@ void Foam::geometrySink::hydrostaticGradient
 ) const
 {
     const scalar scale = cloud_.rho0()/sqr(cloud_.c0());
-    for (label l = 0; l < n; ++l)
+    force_.rows(cloud_, cloud_.x(), nullptr, first, n, gradient);
+    for (int k = 0; k < D_; ++k)
     {
-        const vector f(force_(cloud_.position(first + l)));
-        for (int k = 0; k < D_; ++k)
-        {
-            gradient[k][l] = scale*f[cloud_.axis(k)];
-        }
+        ulph::forLanes(n, [&](const int l) { gradient[k][l] *= scale; });
     }
 }
 
@@ -193,7 +190,7 @@ Foam::forceSink::forceSink
 (
     ulphCloud& cloud,
     const ulphModels& models,
-    const linearAcceleration& force
+    const linearMap& force
 )
 :
     cloud_(cloud),
@@ -214,29 +211,11 @@ void Foam::forceSink::addBodyForce
     ulph::laneRow* a
 ) const
 {
-    if (force_.uniform())
+    ulph::laneRow f[3];
+    force_.rows(cloud_, cloud_.x(), &cloud_.v(), first, n, f);
+    for (int k = 0; k < cloud_.D(); ++k)
     {
-        for (int k = 0; k < cloud_.D(); ++k)
-        {
-            const scalar f = force_.constant[cloud_.axis(k)];
-            ulph::forLanes(n, [&](const int l) { a[k][l] += f; });
-        }
-        return;
-    }
-    for (label l = 0; l < n; ++l)
-    {
-        const vector f
-        (
-            force_
-            (
-                cloud_.position(first + l),
-                cloud_.toVector(cloud_.v(), first + l)
-            )
-        );
-        for (int k = 0; k < cloud_.D(); ++k)
-        {
-            a[k][l] += f[cloud_.axis(k)];
-        }
+        ulph::forLanes(n, [&](const int l) { a[k][l] += f[k][l]; });
     }
 }
 

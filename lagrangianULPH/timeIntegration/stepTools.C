@@ -7,21 +7,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields
-(
-    const word& copy
-)
-{
-    ulphCloud& cloud = rates_.cloud();
-    return
-    {{
-        {cloud.x(), cloud.requireState("x" + copy, cloud.D())},
-        {cloud.v(), cloud.requireState("v" + copy, cloud.D())},
-        {cloud.densityExcess(), cloud.requireState("densityExcess" + copy, 1)}
-    }};
-}
-
-
 void Foam::stepTools::measureExcess()
 {
     const ulphCloud& cloud = rates_.cloud();
@@ -75,7 +60,6 @@ Foam::stepTools::stepTools
 void Foam::stepTools::measureSpeed()
 {
     const ulphCloud& cloud = rates_.cloud();
-    const int D = cloud.D();
     scalar max2 = 0;
 
     #pragma omp parallel for schedule(static) reduction(max : max2)
@@ -83,21 +67,14 @@ void Foam::stepTools::measureSpeed()
     {
         const label n = min(label(ulph::maxLanes), cloud.size() - first);
         ulph::laneRow v2 = {};
-        for (int k = 0; k < D; ++k)
+        ulph::laneRow wallV[3];
+        walls_.rows(cloud, cloud.x(), nullptr, first, n, wallV);
+        for (int k = 0; k < cloud.D(); ++k)
         {
             const double* const v = cloud.v().component(k) + first;
-            const direction d = cloud.axis(k);
-            ulph::laneRow wallV;
-            ulph::forLanes(n, [&](const int l) { wallV[l] = walls_.constant[d]; });
-            for (int m = 0; m < D; ++m)
-            {
-                const double* const x = cloud.x().component(m) + first;
-                const scalar perLength = walls_.perLength(d, cloud.axis(m));
-                ulph::forLanes(n, [&](const int l) { wallV[l] += perLength*x[l]; });
-            }
             ulph::forLanes(n, [&](const int l)
             {
-                v2[l] += sqr(v[l] - wallV[l]);
+                v2[l] += sqr(v[l] - wallV[k][l]);
             });
         }
         for (label l = 0; l < n; ++l)
@@ -106,32 +83,6 @@ void Foam::stepTools::measureSpeed()
         }
     }
     maxSpeed_ = returnReduce(std::sqrt(max2), maxOp<scalar>());
-}
-
-
-void Foam::stepTools::keep()
-{
-    kept_ = guard_.strained(maxSpeed_, maxExcess_);
-    if (kept_)
-    {
-        for (const savedField& field : savedFields("Kept"))
-        {
-            field.saved = field.now;
-        }
-    }
-}
-
-
-bool Foam::stepTools::restore()
-{
-    if (kept_)
-    {
-        for (const savedField& field : savedFields("Kept"))
-        {
-            field.now = field.saved;
-        }
-    }
-    return kept_;
 }
 
 
@@ -159,33 +110,12 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
         contact_.limitVelocity(walls_);
     }
 
-    const int D = cloud.D();
-    const wallMotion::drift map(motion_.map(t, dt));
+    const linearMap drifted(motion_.drift(t, dt));
     forTiles(cloud.size(), [&](const label first, const label n)
     {
         ulph::laneRow x[3];
-        ulph::laneRow v[3];
-        cloud.x().load(first, n, x);
-        cloud.v().load(first, n, v);
-        for (int k = 0; k < D; ++k)
-        {
-            const direction d = cloud.axis(k);
-            double* const to = cloud.x().component(k) + first;
-            ulph::forLanes(n, [&](const int l) { to[l] = map.shift[d]; });
-            for (int m = 0; m < D; ++m)
-            {
-                const scalar turn = map.turn(d, cloud.axis(m));
-                const scalar perVelocity = map.perVelocity(d, cloud.axis(m));
-                if (turn == 0 && perVelocity == 0)
-                {
-                    continue;
-                }
-                ulph::forLanes(n, [&](const int l)
-                {
-                    to[l] += turn*x[m][l] + perVelocity*v[m][l];
-                });
-            }
-        }
+        drifted.rows(cloud, cloud.x(), &cloud.v(), first, n, x);
+        cloud.x().store(first, n, x);
     });
 }
 
@@ -377,60 +307,6 @@ void Foam::stepTools::shift(const scalar dt)
         contactBudget(), energyBudget::contact, &energyBudget::potential
     );
     contact_.limitPosition();
-}
-
-
-void Foam::stepTools::save()
-{
-    for (const savedField& field : savedFields("Saved"))
-    {
-        field.saved = field.now;
-    }
-    predicting_ = true;
-}
-
-
-void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
-{
-    const auto addTo = [](const particleField& from, const scalar s, particleField& to)
-    {
-        for (int c = 0; c < to.nComponents(); ++c)
-        {
-            double* const y = to.component(c);
-            const double* const x = from.component(c);
-
-            #pragma omp parallel for schedule(static)
-            for (label i = 0; i < to.size(); ++i)
-            {
-                y[i] += s*x[i];
-            }
-        }
-    };
-
-    const std::array<savedField, 3> fields(savedFields("Saved"));
-    for (const savedField& field : fields)
-    {
-        addTo(field.now, -1, field.saved);
-    }
-    predicting_ = false;
-    if (energyBudget* const book = budget())
-    {
-        book->setOffset(&fields[1].saved, &fields[2].saved);
-    }
-
-    drift(t, dt);
-    advanceDensity(dt, dt);
-    kick(dt);
-    for (const savedField& field : fields)
-    {
-        addTo(field.saved, 1, field.now);
-    }
-    if (energyBudget* const book = budget())
-    {
-        book->setOffset(nullptr, nullptr);
-    }
-    measureSpeed();
-    measureExcess();
 }
 
 

@@ -29,7 +29,7 @@ static void cornerChecks(tally& t, const int D)
         cloud.v().component(k)[0] = -1;
     }
     library.rates.updateNeighbours();
-    library.contact.limitVelocity(rigidVelocity());
+    library.contact.limitVelocity(linearMap());
 
     scalar fastest = GREAT;
     for (label i = 0; i < cloud.size(); ++i)
