@@ -23,6 +23,10 @@ static void add
     ulph::laneRow* vectors
 )
 {
+    if (A == tensor::zero)
+    {
+        return;
+    }
     for (int m = 0; m < cloud.D(); ++m)
     {
         ulph::laneRow row;

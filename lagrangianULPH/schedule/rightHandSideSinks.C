@@ -196,6 +196,7 @@ Foam::forceSink::forceSink
     cloud_(cloud),
     models_(models),
     force_(force),
+    forced_(!force.zero()),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
@@ -283,7 +284,10 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
             a[k][l] /= cloud_.rho0() + rho1[l];
         });
     }
-    addBodyForce(sums.first, n, a);
+    if (forced_)
+    {
+        addBodyForce(sums.first, n, a);
+    }
     acceleration_.store(sums.first, n, a);
 
     if (diffusion_)
