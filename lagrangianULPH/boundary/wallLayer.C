@@ -235,9 +235,9 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
 }
 
 
-void Foam::wallLayer::setTime(const scalar t)
+void Foam::wallLayer::setTime(const scalar t, const scalar tVelocity)
 {
-    velocity_ = motion_.velocity(t);
+    velocity_ = motion_.velocity(tVelocity);
     const linearMap force(forceAtRest(t));
     forTiles(size(), [&](const label first, const label count)
     {

@@ -173,6 +173,32 @@ Foam::particleField& Foam::ulphCloud::requireState
 }
 
 
+Foam::particleField& Foam::ulphCloud::requireSaved(const word& name)
+{
+    if (!state_.found(name))
+    {
+        state_.set(name, new particleField(1, properties_.mixed));
+        state_[name]->reset(total());
+        saved_.append(name);
+    }
+    return *state_[name];
+}
+
+
+const Foam::particleField* Foam::ulphCloud::saved(const word& name) const
+{
+    const auto iter = state_.cfind(name);
+    return iter.found() ? *iter : nullptr;
+}
+
+
+Foam::particleField* Foam::ulphCloud::saved(const word& name)
+{
+    const auto iter = state_.find(name);
+    return iter.found() ? *iter : nullptr;
+}
+
+
 const Foam::particleField* Foam::ulphCloud::derived(const word& name) const
 {
     const auto iter = derived_.cfind(name);
@@ -229,6 +255,7 @@ void Foam::ulphCloud::set
     origId_.resize(size_);
     std::iota(origId_.begin(), origId_.end(), 0);
     sizeDerived();
+    savedKnown_ = saved_.empty();
 }
 
 

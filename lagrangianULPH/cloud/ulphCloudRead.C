@@ -137,6 +137,32 @@ void Foam::ulphCloud::read(const word& instance)
     }
 
     set(positions, U, rho1, m);
+    savedKnown_ = true;
+    for (const word& name : saved_)
+    {
+        // Not written under other models: then it is not known yet
+        if (!isFile(U.path()/name) && !isFile(U.path()/name + ".gz"))
+        {
+            savedKnown_ = false;
+            break;
+        }
+        const IOField<scalar> values
+        (
+            readField<scalar>(*this, name, instance, n)
+        );
+        forAll(values, i)
+        {
+            if (!std::isfinite(values[i]))
+            {
+                stopAtDamage
+                (
+                    values.objectPath(), -1,
+                    "particle " + Foam::name(i) + " has " + Foam::name(values[i])
+                );
+            }
+            state_[name]->set(i, 0, values[i]);
+        }
+    }
     std::copy(ids.begin(), ids.end(), origId_.begin());
 }
 

@@ -151,6 +151,16 @@ void Foam::ulphCloud::write
         scalarField(UList<scalar>(const_cast<double*>(mass().component(0)), size_))
     );
 
+    for (const word& name : savedKnown_ ? saved_ : wordList())
+    {
+        scalarField values(size_);
+        forAll(values, i)
+        {
+            values[i] = (*state_[name])(i);
+        }
+        writeScalars(name, values);
+    }
+
     IOField<label> ids(object("origId"), n);
     IOField<label> procs(object("origProcId"), n);
     forAll(ids, i)

@@ -147,12 +147,14 @@ void Foam::guard::checkRates(const bool ok, const wordList& rates) const
 bool Foam::guard::strained
 (
     const scalar maxSpeed,
-    const scalar maxExcess
+    const scalar maxExcess,
+    const scalar dt
 ) const
 {
     constexpr scalar part = 0.25;
     return
-        maxSpeed > part*maxMach_*cloud_.c0()
+        dt*cloud_.c0() > cloud_.h()
+     || maxSpeed > part*maxMach_*cloud_.c0()
      || maxExcess > part*maxDensityError_*cloud_.rho0();
 }
 

@@ -246,15 +246,15 @@ void Foam::energyBudget::addDensity
 )
 {
     // So that the divergence's part is what the work of the pressure pairs with:
-    // the leapfrog adds it before these two, the midpoint rule has the rates of
-    // the density before
+    // the leapfrog kicks with the densities before and after, the midpoint rule
+    // has the rates of the density before
     ulph::laneRow rho1;
     for (label l = 0; l < count; ++l)
     {
         rho1[l] =
             densityOffset_
           ? before[l]
-          : after[l] - 0.5*dt*(diffusion[l] + relaxation[l]);
+          : 0.5*(before[l] + after[l]);
     }
 
     ulph::laneRow p;

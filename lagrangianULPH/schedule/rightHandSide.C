@@ -97,9 +97,9 @@ void Foam::rightHandSide::updateNeighbours()
 }
 
 
-void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
+void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
 {
-    wall_.setTime(t);
+    wall_.setTime(t, t - ahead);
     {
         ledger::section timer(ledger_, "pack");
         packFluid();
@@ -107,10 +107,6 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
     updateWalls(true);
 
     const bool surfaceFirst = models_.moment->needsSurface();
-    const unsigned sums =
-        when == laplacian::now
-      ? schedule_.geometrySums()
-      : schedule_.geometrySums() & ~unsigned(ulph::laplacianSums);
 
     if (surfaceFirst)
     {
@@ -131,10 +127,13 @@ void Foam::rightHandSide::geometry(const scalar t, const laplacian when)
         timer.addPairs(search_.fluidList().nPairs());
         geometrySink sink
         (
-            cloud_, models_, wall_.forceAtRest(t), surfaceFirst,
-            sums & ulph::laplacianSums
+            cloud_, models_, wall_.forceAtRest(t), surfaceFirst, ahead,
+            wall_.velocity().perLength
         );
-        search_.sums().geometry(search_.fluidList(), {}, sums, sink);
+        search_.sums().geometry
+        (
+            search_.fluidList(), {}, schedule_.geometrySums(), sink
+        );
     }
     if (!surfaceFirst && !models_.surface->off())
     {
@@ -202,34 +201,6 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     search_.sums().force
     (
         search_.fluidList(), schedule_.forceSums(), viscous, sink
-    );
-}
-
-
-void Foam::rightHandSide::divergence()
-{
-    {
-        ledger::section timer(ledger_, "pack");
-        search_.halo().copy(cloud_.v());
-        forTiles(cloud_.total(), [&](const label first, const label count)
-        {
-            ulph::laneRow v[3];
-            cloud_.v().load(first, count, v);
-            search_.sums().packVelocity(first, count, v);
-        });
-    }
-    updateWalls(false);
-
-    ledger::section timer(ledger_, "divergencePass");
-    timer.addPairs(search_.fluidList().nPairs());
-    divergenceSink sink(cloud_, models_);
-    search_.sums().geometry
-    (
-        search_.fluidList(),
-        {},
-        ulph::velocityGradientSums
-      | (schedule_.geometrySums() & ulph::laplacianSums),
-        sink
     );
 }
 

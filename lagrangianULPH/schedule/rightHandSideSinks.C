@@ -10,18 +10,45 @@
 namespace Foam
 {
 
-// div v = K : L
-static void storeDivergence
+// div v = tr G of the velocity gradient G = L K, and where the positions are
+// those of a time later by `ahead` what it was before: tr G (I + ahead (G - W)),
+// with W the velocity gradient of the tank
+static void velocityDivergence
 (
-    const int D,
+    const ulphCloud& cloud,
     const ulph::geometryBlock& sums,
     const ulph::laneRow* K,
-    particleField& divergence
+    const scalar ahead,
+    const tensor& W,
+    ulph::laneRow& div
 )
 {
-    ulph::laneRow div = {};
-    momentTensor::addContraction(D, sums.count, 1, K, sums.L, div);
-    divergence.store(0, sums.first, sums.count, div);
+    const int D = cloud.D();
+    if (ahead == 0)
+    {
+        momentTensor::addContraction(D, sums.count, 1, K, sums.L, div);
+        return;
+    }
+
+    ulph::laneRow G[9];
+    for (int k = 0; k < D; ++k)
+    {
+        momentTensor::multiply(D, sums.count, K, sums.L + k*D, G + k*D);
+    }
+    for (int k = 0; k < D; ++k)
+    {
+        for (int m = 0; m < D; ++m)
+        {
+            const ulph::laneRow& a = G[k*D + m];
+            const ulph::laneRow& b = G[m*D + k];
+            const scalar w = W(cloud.axis(m), cloud.axis(k));
+            const scalar diagonal = k == m ? 1 : 0;
+            ulph::forLanes(sums.count, [&](const int l)
+            {
+                div[l] += a[l]*(diagonal + ahead*(b[l] - w));
+            });
+        }
+    }
 }
 
 } // End namespace Foam
@@ -35,7 +62,8 @@ Foam::geometrySink::geometrySink
     ulphModels& models,
     const linearMap& force,
     const bool surfaceKnown,
-    const bool laplacian
+    const scalar ahead,
+    const tensor& tankGradient
 )
 :
     cloud_(cloud),
@@ -43,7 +71,8 @@ Foam::geometrySink::geometrySink
     models_(models),
     force_(force),
     surfaceKnown_(surfaceKnown),
-    laplacian_(laplacian),
+    ahead_(ahead),
+    tankGradient_(tankGradient),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     divergence_(*cloud.derived("divergence")),
@@ -83,7 +112,10 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     models_.moment->invert(sums, surface, K);
     K_.store(sums.first, sums.count, K);
     b_.store(sums.first, sums.count, sums.b);
-    storeDivergence(D_, sums, K, divergence_);
+
+    ulph::laneRow div = {};
+    velocityDivergence(cloud_, sums, K, ahead_, tankGradient_, div);
+    divergence_.store(0, sums.first, sums.count, div);
 
     if (lambda_ && !surfaceKnown_)
     {
@@ -108,10 +140,7 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
             hydrostaticGradient(sums.first, sums.count, gradient);
             models_.diffusion->addGradientRate(sums, K, gradient, rate);
         }
-        if (laplacian_)
-        {
-            models_.diffusion->addLaplacianRate(sums, K, rate);
-        }
+        models_.diffusion->addLaplacianRate(sums, K, rate);
         diffusion_->store(0, sums.first, sums.count, rate);
     }
 
@@ -127,38 +156,6 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
         ulph::laneRow R[3];
         models_.shift->direction(sums, R);
         shift_->store(sums.first, sums.count, R);
-    }
-}
-
-
-// * * * * * * * * * * * * * *  divergenceSink  * * * * * * * * * * * * * * * //
-
-Foam::divergenceSink::divergenceSink
-(
-    ulphCloud& cloud,
-    const ulphModels& models
-)
-:
-    D_(cloud.D()),
-    models_(models),
-    K_(*cloud.derived("inverseMoment")),
-    divergence_(*cloud.derived("divergence")),
-    diffusion_(cloud.derived("densityDiffusion"))
-{}
-
-
-void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
-{
-    ulph::laneRow K[6];
-    K_.load(sums.first, sums.count, K);
-    storeDivergence(D_, sums, K, divergence_);
-
-    if (diffusion_)
-    {
-        ulph::laneRow rate;
-        diffusion_->load(0, sums.first, sums.count, rate);
-        models_.diffusion->addLaplacianRate(sums, K, rate);
-        diffusion_->store(0, sums.first, sums.count, rate);
     }
 }
 
@@ -201,7 +198,7 @@ Foam::forceSink::forceSink
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
     viscous_(cloud.derived("viscousAcceleration")),
-    diffusion_(cloud.derived("densityDiffusion"))
+    diffusion_(cloud.saved("neighbourDiffusion"))
 {}
 
 
@@ -292,8 +289,7 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
 
     if (diffusion_)
     {
-        ulph::laneRow rate;
-        diffusion_->load(0, sums.first, n, rate);
+        ulph::laneRow rate = {};
         models_.diffusion->addForceRate(sums, K, rate);
         diffusion_->store(0, sums.first, n, rate);
     }

@@ -100,6 +100,10 @@ Foam::schedule::schedule(ulphModels& models, ulphCloud& cloud)
     {
         cloud.require(name, needs_.fields[name]);
     }
+    for (const word& name : needs_.state.sortedToc())
+    {
+        cloud.requireSaved(name);
+    }
     for (effect& e : effects)
     {
         e.bind(cloud);

@@ -159,9 +159,11 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     limitThreads();
 
     tools_.reset(new stepTools(rates_, contact_, motion_, guard_));
+    const dictionary written(cloud_.readProperties(time.timeName()));
+    tools_->setDensityLag(written.getOrDefault<scalar>("densityLag", 0));
     tools_->setMaxAcceleration
     (
-        cloud_.readProperties(time.timeName()).getOrDefault<scalar>
+        written.getOrDefault<scalar>
         (
             "maxAcceleration",
             cloud_.size()
@@ -169,6 +171,12 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
           : 0
         )
     );
+
+    if (!cloud_.savedKnown())
+    {
+        evaluate();
+        cloud_.setSavedKnown(true);
+    }
 
     schedule::print(models_, cloud_, Info);
     Info<< "Threads " << omp_get_max_threads() << nl << endl;
@@ -207,7 +215,7 @@ void Foam::ulphSolver::setDeltaT()
 void Foam::ulphSolver::evaluate()
 {
     rates_.updateNeighbours();
-    rates_.geometry(time_.value(), rightHandSide::laplacian::now);
+    rates_.geometry(time_.value());
     rates_.force(time_.value(), false);
 }
 
@@ -215,7 +223,7 @@ void Foam::ulphSolver::evaluate()
 void Foam::ulphSolver::advance()
 {
     const scalar dt = time_.deltaTValue();
-    tools_->keep();
+    tools_->keep(dt);
     models_.integration->advance(*tools_, time_.value() - dt, dt);
     tools_->finish();
     if (!neighbours_.contains())
@@ -258,6 +266,7 @@ void Foam::ulphSolver::writeCloud() const
     dictionary extra;
     extra.add("time", time_.value());
     extra.add("maxAcceleration", tools_->maxAcceleration());
+    extra.add("densityLag", tools_->densityLag());
     cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
 }
 
@@ -272,6 +281,8 @@ bool Foam::ulphSolver::writeLastGood()
             time_.value() - time_.deltaTValue(), time_.timeIndex() - 1
         );
     }
+    // A restart evaluates it anew
+    cloud_.setSavedKnown(false);
     writeCloud();
     return kept;
 }

@@ -42,12 +42,11 @@ void Foam::timeIntegrations::driftKickDrift::advance
 
     tools.drift(t, 0.5*dt);
     tools.updateNeighbours();
-    rates.geometry(middle, rightHandSide::laplacian::later);
-    tools.advanceDensity(0.5*dt, 0);
+    rates.geometry(middle, 0.5*dt);
+    tools.advanceDensity(tools.densityLag() + 0.5*dt);
+    tools.setDensityLag(0.5*dt);
     rates.force(middle, true);
-    tools.kick(dt, rates.bodyForce(middle).perVelocity);
-    rates.divergence();
-    tools.advanceDensity(0.5*dt, dt);
+    tools.kick(t, dt, rates.bodyForce(middle).perVelocity);
     tools.drift(middle, 0.5*dt);
     tools.shift(dt);
 }

@@ -40,20 +40,21 @@ void Foam::timeIntegrations::predictorCorrector::advance
     rightHandSide& rates = tools.rates();
 
     tools.updateNeighbours();
-    rates.geometry(t, rightHandSide::laplacian::now);
+    rates.geometry(t);
     rates.force(t, false);
 
     tools.save();
     tools.drift(t, 0.5*dt);
-    tools.kick(0.5*dt);
-    tools.advanceDensity(0.5*dt, 0.5*dt);
+    tools.kick(t, 0.5*dt);
+    tools.advanceDensity(0.5*dt);
 
     tools.updateNeighbours();
-    rates.geometry(t + 0.5*dt, rightHandSide::laplacian::now);
+    rates.geometry(t + 0.5*dt);
     rates.force(t + 0.5*dt, false);
 
     tools.advanceSaved(t, dt);
     tools.shift(dt);
+    tools.setDensityLag(0);
 }
 
 

@@ -50,15 +50,16 @@ Foam::stepTools::stepTools
     motion_(motion),
     guard_(check)
 {
-    measureSpeed();
+    measureSpeed(rates.cloud().mesh().time().value());
     measureExcess();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::stepTools::measureSpeed()
+void Foam::stepTools::measureSpeed(const scalar t)
 {
+    const linearMap walls(motion_.velocity(t));
     const ulphCloud& cloud = rates_.cloud();
     scalar max2 = 0;
 
@@ -68,7 +69,7 @@ void Foam::stepTools::measureSpeed()
         const label n = min(label(ulph::maxLanes), cloud.size() - first);
         ulph::laneRow v2 = {};
         ulph::laneRow wallV[3];
-        walls_.rows(cloud, cloud.x(), nullptr, first, n, wallV);
+        walls.rows(cloud, cloud.x(), nullptr, first, n, wallV);
         for (int k = 0; k < cloud.D(); ++k)
         {
             const double* const v = cloud.v().component(k) + first;
@@ -100,14 +101,12 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
-    walls_ = motion_.velocity(t + 0.5*dt);
-
     {
         energyBudget::change work
         (
             contactBudget(), energyBudget::contact, &energyBudget::kinetic
         );
-        contact_.limitVelocity(walls_);
+        contact_.limitVelocity(motion_.velocity(t + 0.5*dt));
     }
 
     const linearMap drifted(motion_.drift(t, dt));
@@ -120,7 +119,12 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
 }
 
 
-void Foam::stepTools::kick(const scalar dt, const tensor& perVelocity)
+void Foam::stepTools::kick
+(
+    const scalar t,
+    const scalar dt,
+    const tensor& perVelocity
+)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
@@ -177,23 +181,19 @@ void Foam::stepTools::kick(const scalar dt, const tensor& perVelocity)
     {
         book->addKick(dt);
     }
-    measureSpeed();
+    measureSpeed(t + dt);
 }
 
 
-void Foam::stepTools::advanceDensity
-(
-    const scalar dt,
-    const scalar dtDiffusion
-)
+void Foam::stepTools::advanceDensity(const scalar dt)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
     const particleField& divergence = *cloud.derived("divergence");
     const particleField* const diffusion = cloud.derived("densityDiffusion");
+    const particleField* const neighbourDiffusion =
+        cloud.saved("neighbourDiffusion");
     const particleField* const relaxation = cloud.derived("densityRelaxation");
-    const bool diffuse = diffusion && dtDiffusion > 0;
-    const bool relax = relaxation && dtDiffusion > 0;
     const freeSurface& surface = *rates_.models().surface;
     energyBudget* const book = budget();
     const scalar rho0 = cloud.rho0();
@@ -212,11 +212,17 @@ void Foam::stepTools::advanceDensity
         ulph::laneRow relaxed = {};
         ulph::laneRow held;
         divergence.load(0, first, n, div);
-        if (diffuse)
+        if (diffusion)
         {
             diffusion->load(0, first, n, diffused);
         }
-        if (relax)
+        if (neighbourDiffusion)
+        {
+            ulph::laneRow part;
+            neighbourDiffusion->load(0, first, n, part);
+            ulph::forLanes(n, [&](const int l) { diffused[l] += part[l]; });
+        }
+        if (relaxation)
         {
             relaxation->load(0, first, n, relaxed);
             surface.keepInside(first, n, relaxed);
@@ -231,8 +237,7 @@ void Foam::stepTools::advanceDensity
         ulph::forLanes(n, [&](const int l)
         {
             change[l] =
-                dtDiffusion*(diffused[l] + relaxed[l])
-              - dt*(rho0 + excess[l])*div[l];
+                dt*(diffused[l] + relaxed[l] - (rho0 + excess[l])*div[l]);
         });
         for (label l = 0; l < n; ++l)
         {
@@ -246,10 +251,7 @@ void Foam::stepTools::advanceDensity
         ulph::forLanes(n, [&](const int l) { excess[l] += change[l]; });
         if (book)
         {
-            book->addDensity
-            (
-                first, n, dtDiffusion, diffused, relaxed, held, excess
-            );
+            book->addDensity(first, n, dt, diffused, relaxed, held, excess);
             std::copy_n(excess, n, held);
         }
         surface.release(first, n, excess);

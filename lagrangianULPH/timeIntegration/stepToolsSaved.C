@@ -24,9 +24,10 @@ std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::stepTools::keep()
+void Foam::stepTools::keep(const scalar dt)
 {
-    kept_ = guard_.strained(maxSpeed_, maxExcess_);
+    kept_ = guard_.strained(maxSpeed_, maxExcess_, dt);
+    densityLagKept_ = densityLag_;
     if (kept_)
     {
         for (const savedField& field : savedFields("Kept"))
@@ -45,6 +46,7 @@ bool Foam::stepTools::restore()
         {
             field.now = field.saved;
         }
+        densityLag_ = densityLagKept_;
     }
     return kept_;
 }
@@ -89,8 +91,8 @@ void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
     }
 
     drift(t, dt);
-    advanceDensity(dt, dt);
-    kick(dt);
+    advanceDensity(dt);
+    kick(t, dt);
     for (const savedField& field : fields)
     {
         addTo(field.saved, 1, field.now);
@@ -99,7 +101,7 @@ void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
     {
         book->setOffset(nullptr, nullptr);
     }
-    measureSpeed();
+    measureSpeed(t + dt);
     measureExcess();
 }
 

@@ -151,7 +151,7 @@ Foam::fluidState Foam::fluidState::rotated(const mat& R) const
 void Foam::rig::evaluate()
 {
     rates.updateNeighbours();
-    rates.geometry(0, rightHandSide::laplacian::now);
+    rates.geometry(0);
     rates.force(0, false);
 }
 
@@ -170,6 +170,13 @@ Foam::vec Foam::rig::vectorOf(const word& field, const int i) const
         a[k] = (*cloud.derived(field))(i, k);
     }
     return a;
+}
+
+
+double Foam::rig::diffusionOf(const int i) const
+{
+    const particleField* const part = cloud.saved("neighbourDiffusion");
+    return scalarOf("densityDiffusion", i) + (part ? (*part)(i) : 0);
 }
 
 

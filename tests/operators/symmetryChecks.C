@@ -121,7 +121,7 @@ rotationErrors::rotationErrors
         };
         add(lambda, "lambda");
         add(divergence, "divergence");
-        add(diffusion, "densityDiffusion");
+        diffusion.add(turned.diffusionOf(j), straight.diffusionOf(i));
         acceleration.add
         (
             turned.vectorOf("acceleration", j),
@@ -185,16 +185,19 @@ static std::vector<double> fieldsOf
     rig library(room, where.properties(mixed) + models, where.state);
     library.evaluate();
 
-    // Again after a rebuild, and the pass of the divergence alone
+    // Again after a rebuild
     library.neighbours.invalidate();
     library.evaluate();
-    library.rates.divergence();
     omp_set_num_threads(1);
 
     std::vector<double> values;
     for (int i = 0; i < library.size(); ++i)
     {
         values.push_back(library.cloud.origId()[i]);
+        values.push_back
+        (
+            library.has("densityDiffusion") ? library.diffusionOf(i) : 0
+        );
         for (const word& name : library.cloud.derivedNames())
         {
             const particleField& field = *library.cloud.derived(name);
