@@ -48,9 +48,9 @@ void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::invert
 )
 {
     ulph::laneRow determinant;
-    ulph::laneRow lambda;
+    ulph::laneRow minor;
     momentTensor::adjugate(D_, sums.count, sums.M, K, determinant);
-    momentTensor::smallestEigenvalue(D_, sums.count, sums.M, lambda);
+    momentTensor::leastMinor(D_, sums.count, sums.M, floor_, minor);
 
     ulph::forLanes(sums.count, [&](const int l)
     {
@@ -67,7 +67,7 @@ void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::invert
     label nFloored = 0;
     for (int l = 0; l < sums.count; ++l)
     {
-        if (!(lambda[l] > floor_))
+        if (!(minor[l] > 0))
         {
             momentTensor::flooredInverse(D_, l, sums.M, floor_, K);
             ++nFloored;

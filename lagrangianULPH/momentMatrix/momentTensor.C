@@ -6,6 +6,7 @@
 #include "momentTensor.H"
 
 #include "symmetric.H"
+#include "unroll.H"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -15,6 +16,10 @@
 
 namespace Foam
 {
+using ulph::forEach;
+using ulph::forEachComponent;
+using ulph::symmetricIndex;
+
 namespace
 {
 
@@ -99,17 +104,19 @@ Lanes smallestOf3(const int lane, const ulph::laneRow* M, Lanes& lambda)
 }
 
 
-// sum += factor a b
-inline void addProduct
-(
-    const int count,
-    const scalar factor,
-    const ulph::laneRow& a,
-    const ulph::laneRow& b,
-    ulph::laneRow& sum
-)
+// Call f with the dimension as a compile-time constant: then the components of
+// a lane are worked out together, in registers
+template<class Function>
+void byDimension(const int D, const Function& f)
 {
-    ulph::forLanes(count, [&](const int l) { sum[l] += factor*a[l]*b[l]; });
+    if (D == 2)
+    {
+        f(std::integral_constant<int, 2>());
+    }
+    else
+    {
+        f(std::integral_constant<int, 3>());
+    }
 }
 
 } // End anonymous namespace
@@ -197,6 +204,41 @@ void Foam::momentTensor::smallestEigenvalue
 }
 
 
+void Foam::momentTensor::leastMinor
+(
+    const int D,
+    const int count,
+    const ulph::laneRow* M,
+    const scalar shift,
+    ulph::laneRow& least
+)
+{
+    if (D == 2)
+    {
+        ulph::forLanes(count, [&](const int l)
+        {
+            const double xx = M[0][l] - shift;
+            const double yy = M[2][l] - shift;
+            least[l] = std::min(xx, xx*yy - M[1][l]*M[1][l]);
+        });
+        return;
+    }
+    ulph::forLanes(count, [&](const int l)
+    {
+        const double xx = M[0][l] - shift;
+        const double xy = M[1][l];
+        const double xz = M[2][l];
+        const double yy = M[3][l] - shift;
+        const double yz = M[4][l];
+        const double zz = M[5][l] - shift;
+        const double second = xx*yy - xy*xy;
+        const double third =
+            zz*second - xx*yz*yz - yy*xz*xz + 2*xy*xz*yz;
+        least[l] = std::min(xx, std::min(second, third));
+    });
+}
+
+
 void Foam::momentTensor::flooredInverse
 (
     const int D,
@@ -237,15 +279,19 @@ void Foam::momentTensor::multiply
     ulph::laneRow* Ka
 )
 {
-    for (int i = 0; i < D; ++i)
+    byDimension(D, [&](const auto dimension)
     {
-        ulph::laneRow& row = Ka[i];
-        ulph::forLanes(count, [&](const int l) { row[l] = 0; });
-        for (int j = 0; j < D; ++j)
+        constexpr int N = decltype(dimension)::value;
+        ulph::forLanes(count, [&](const int l)
         {
-            addProduct(count, 1, K[ulph::symmetricIndex(D, i, j)], a[j], row);
-        }
-    }
+            double row[N] = {};
+            forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
+            {
+                row[i] += K[symmetricIndex(N, i, j)][l]*a[j][l];
+            });
+            forEach<N>([&](const auto i) ULPH_INLINE { Ka[i][l] = row[i]; });
+        });
+    });
 }
 
 
@@ -259,10 +305,16 @@ void Foam::momentTensor::addDot
     ulph::laneRow& sum
 )
 {
-    for (int k = 0; k < D; ++k)
+    byDimension(D, [&](const auto dimension)
     {
-        addProduct(count, factor, a[k], b[k], sum);
-    }
+        constexpr int N = decltype(dimension)::value;
+        ulph::forLanes(count, [&](const int l)
+        {
+            double dot = 0;
+            forEach<N>([&](const auto k) ULPH_INLINE { dot += a[k][l]*b[k][l]; });
+            sum[l] += factor*dot;
+        });
+    });
 }
 
 
@@ -276,10 +328,19 @@ void Foam::momentTensor::addContraction
     ulph::laneRow& sum
 )
 {
-    for (int c = 0; c < D*D; ++c)
+    byDimension(D, [&](const auto dimension)
     {
-        addProduct(count, factor, K[ulph::symmetricIndex(D, c/D, c%D)], L[c], sum);
-    }
+        constexpr int N = decltype(dimension)::value;
+        ulph::forLanes(count, [&](const int l)
+        {
+            double trace = 0;
+            forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
+            {
+                trace += K[symmetricIndex(N, i, j)][l]*L[i*N + j][l];
+            });
+            sum[l] += factor*trace;
+        });
+    });
 }
 
 
@@ -293,14 +354,57 @@ void Foam::momentTensor::addSymmetricContraction
     ulph::laneRow& sum
 )
 {
-    for (int i = 0; i < D; ++i)
+    byDimension(D, [&](const auto dimension)
     {
-        for (int j = i; j < D; ++j)
+        constexpr int N = decltype(dimension)::value;
+        ulph::forLanes(count, [&](const int l)
         {
-            const int c = ulph::symmetricIndex(D, i, j);
-            addProduct(count, i == j ? factor : 2*factor, K[c], Q[c], sum);
-        }
-    }
+            double trace = 0;
+            forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
+            {
+                constexpr int c = symmetricIndex(N, i, j);
+                trace += K[c][l]*Q[c][l];
+            });
+            sum[l] += factor*trace;
+        });
+    });
+}
+
+
+void Foam::momentTensor::divergence
+(
+    const int D,
+    const int count,
+    const ulph::laneRow* K,
+    const ulph::laneRow* L,
+    const scalar ahead,
+    const scalar* W,
+    ulph::laneRow& div
+)
+{
+    byDimension(D, [&](const auto dimension)
+    {
+        constexpr int N = decltype(dimension)::value;
+        ulph::forLanes(count, [&](const int l)
+        {
+            double G[N*N] = {};
+            forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
+            {
+                forEach<N>([&](const auto k) ULPH_INLINE
+                {
+                    G[i*N + j] += L[i*N + k][l]*K[symmetricIndex(N, k, j)][l];
+                });
+            });
+            double trace = 0;
+            double later = 0;
+            forEach<N>([&](const auto i) ULPH_INLINE { trace += G[i*N + i]; });
+            forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
+            {
+                later += G[i*N + j]*(G[j*N + i] - W[j*N + i]);
+            });
+            div[l] = trace + ahead*later;
+        });
+    });
 }
 
 

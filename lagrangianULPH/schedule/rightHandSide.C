@@ -144,7 +144,8 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
 
 void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
 {
-    if (densityChanged)
+    // Its records are read for the walls only
+    if (densityChanged && wall_.size())
     {
         {
             ledger::section timer(ledger_, "pack");

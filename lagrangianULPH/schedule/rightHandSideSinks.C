@@ -5,55 +5,6 @@
 
 #include "rightHandSideSinks.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-// div v = tr G of the velocity gradient G = L K, and where the positions are
-// those of a time later by `ahead` what it was before: tr G (I + ahead (G - W)),
-// with W the velocity gradient of the tank
-static void velocityDivergence
-(
-    const ulphCloud& cloud,
-    const ulph::geometryBlock& sums,
-    const ulph::laneRow* K,
-    const scalar ahead,
-    const tensor& W,
-    ulph::laneRow& div
-)
-{
-    const int D = cloud.D();
-    if (ahead == 0)
-    {
-        momentTensor::addContraction(D, sums.count, 1, K, sums.L, div);
-        return;
-    }
-
-    ulph::laneRow G[9];
-    for (int k = 0; k < D; ++k)
-    {
-        momentTensor::multiply(D, sums.count, K, sums.L + k*D, G + k*D);
-    }
-    for (int k = 0; k < D; ++k)
-    {
-        for (int m = 0; m < D; ++m)
-        {
-            const ulph::laneRow& a = G[k*D + m];
-            const ulph::laneRow& b = G[m*D + k];
-            const scalar w = W(cloud.axis(m), cloud.axis(k));
-            const scalar diagonal = k == m ? 1 : 0;
-            ulph::forLanes(sums.count, [&](const int l)
-            {
-                div[l] += a[l]*(diagonal + ahead*(b[l] - w));
-            });
-        }
-    }
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * geometrySink  * * * * * * * * * * * * * * * //
 
 Foam::geometrySink::geometrySink
@@ -72,7 +23,6 @@ Foam::geometrySink::geometrySink
     force_(force),
     surfaceKnown_(surfaceKnown),
     ahead_(ahead),
-    tankGradient_(tankGradient),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     divergence_(*cloud.derived("divergence")),
@@ -82,7 +32,15 @@ Foam::geometrySink::geometrySink
     diffusion_(cloud.derived("densityDiffusion")),
     relaxation_(cloud.derived("densityRelaxation")),
     shift_(cloud.derived("shift"))
-{}
+{
+    for (int k = 0; k < D_; ++k)
+    {
+        for (int m = 0; m < D_; ++m)
+        {
+            tankGradient_[k*D_ + m] = tankGradient(cloud.axis(k), cloud.axis(m));
+        }
+    }
+}
 
 
 void Foam::geometrySink::hydrostaticGradient
@@ -113,8 +71,11 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     K_.store(sums.first, sums.count, K);
     b_.store(sums.first, sums.count, sums.b);
 
-    ulph::laneRow div = {};
-    velocityDivergence(cloud_, sums, K, ahead_, tankGradient_, div);
+    ulph::laneRow div;
+    momentTensor::divergence
+    (
+        D_, sums.count, K, sums.L, ahead_, tankGradient_, div
+    );
     divergence_.store(0, sums.first, sums.count, div);
 
     if (lambda_ && !surfaceKnown_)

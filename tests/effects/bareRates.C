@@ -34,18 +34,9 @@ public:
         to_.K.store(sums.first, sums.count, K);
         to_.b.store(sums.first, sums.count, sums.b);
 
-        ulph::laneRow div = {};
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                const int c = ulph::symmetricIndex(D, i, j);
-                for (int l = 0; l < sums.count; ++l)
-                {
-                    div[l] += K[c][l]*sums.L[i*D + j][l];
-                }
-            }
-        }
+        ulph::laneRow div;
+        const scalar atRest[9] = {};
+        momentTensor::divergence(D, sums.count, K, sums.L, 0, atRest, div);
         to_.divergence.store(0, sums.first, sums.count, div);
     }
 };

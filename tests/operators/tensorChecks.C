@@ -55,7 +55,9 @@ static void tensorChecks(tally& t, const int D)
 
     double smallest = 0;
     double floored = 0;
-    deviation product, inverse;
+    deviation product, inverse, divergence;
+    int nMinors = 0;
+    int nWrongMinors = 0;
 
     for (const vec& spectrum : spectra(D, random))
     {
@@ -111,6 +113,18 @@ static void tensorChecks(tally& t, const int D)
             floored, (result(K) - exact).norm()/exact.norm()
         );
 
+        ulph::laneRow minor;
+        for (const double factor : {0.5, 0.999, 1.001, 2.0})
+        {
+            const double shift = factor*eigen.eigenvalues()[0];
+            momentTensor::leastMinor(D, count, M, shift, minor);
+            if (shift > 1e-6*size)
+            {
+                ++nMinors;
+                nWrongMinors += (minor[lane] > 0) != (factor < 1);
+            }
+        }
+
         ulph::laneRow determinant;
         momentTensor::adjugate(D, count, M, K, determinant);
         const double conditioned = eigen.eigenvalues()[0]/size;
@@ -133,6 +147,24 @@ static void tensorChecks(tally& t, const int D)
         (
             vec(Ma[0][lane], Ma[1][lane], D == 3 ? Ma[2][lane] : 0), vec(A*b)
         );
+
+        const mat W(random.rotation() - mat(mat::Identity()));
+        mat B(mat::Zero());
+        ulph::laneRow L[9] = {};
+        scalar turning[9];
+        for (int k = 0; k < D; ++k)
+        {
+            const vec row(random.vector(1));
+            for (int m = 0; m < D; ++m)
+            {
+                B(k, m) = L[k*D + m][lane] = row[m];
+                turning[k*D + m] = W(k, m);
+            }
+        }
+        ulph::laneRow div;
+        momentTensor::divergence(D, count, M, L, 0.3, turning, div);
+        const mat G(B*A);
+        divergence.add(div[lane], (G + 0.3*G*(G - W)).trace());
     }
 
     const std::string what(std::to_string(D) + "D momentTensor ");
@@ -140,6 +172,9 @@ static void tensorChecks(tally& t, const int D)
     t.check(what + "floored inverse", floored, 1e-12);
     t.check(what + "inverse by adjugate", inverse.relative(), 1e-12);
     t.check(what + "product", product.relative(), 1e-15);
+    t.check(what + "divergence", divergence.relative(), 1e-15);
+    t.check(what + "minors of the wrong sign", nWrongMinors, 0.0);
+    t.check(what + "minors", nMinors > 20);
 }
 
 } // End namespace Foam
