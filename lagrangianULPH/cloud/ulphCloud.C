@@ -173,13 +173,18 @@ Foam::particleField& Foam::ulphCloud::requireState
 }
 
 
-Foam::particleField& Foam::ulphCloud::requireSaved(const word& name)
+Foam::particleField& Foam::ulphCloud::requireSaved
+(
+    const word& name,
+    const bool isZero
+)
 {
     if (!state_.found(name))
     {
         state_.set(name, new particleField(1, properties_.mixed));
         state_[name]->reset(total());
         saved_.append(name);
+        savedZero_ = savedZero_ && isZero;
     }
     return *state_[name];
 }
@@ -255,7 +260,7 @@ void Foam::ulphCloud::set
     origId_.resize(size_);
     std::iota(origId_.begin(), origId_.end(), 0);
     sizeDerived();
-    savedKnown_ = saved_.empty();
+    savedKnown_ = savedZero_;
 }
 
 

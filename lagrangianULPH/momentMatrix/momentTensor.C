@@ -377,7 +377,7 @@ void Foam::momentTensor::divergence
     const int count,
     const ulph::laneRow* K,
     const ulph::laneRow* L,
-    const scalar ahead,
+    const ulph::laneRow& ahead,
     const scalar* W,
     ulph::laneRow& div
 )
@@ -402,7 +402,7 @@ void Foam::momentTensor::divergence
             {
                 later += G[i*N + j]*(G[j*N + i] - W[j*N + i]);
             });
-            div[l] = trace + ahead*later;
+            div[l] = trace + ahead[l]*later;
         });
     });
 }

@@ -81,7 +81,12 @@ Foam::rightHandSide::rightHandSide
     search_(search),
     contact_(contact),
     ledger_(times)
-{}
+{
+    if (wall.any())
+    {
+        cloud.requireSaved("densityUpToDate", true);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -144,12 +149,16 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
 
 void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
 {
-    // Its records are read for the walls only
+    if (densityChanged)
+    {
+        ledger::section timer(ledger_, "pack");
+        search_.halo().copy(cloud_.densityExcess());
+    }
+    // The records of the geometry pass are read for the walls only
     if (densityChanged && wall_.size())
     {
         {
             ledger::section timer(ledger_, "pack");
-            search_.halo().copy(cloud_.densityExcess());
             forTiles(cloud_.total(), [&](const label first, const label count)
             {
                 ulph::laneRow rho1;
@@ -203,6 +212,41 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     (
         search_.fluidList(), schedule_.forceSums(), viscous, sink
     );
+}
+
+
+bool Foam::rightHandSide::divergence(const scalar t, const scalar later)
+{
+    if (particleField* const upToDate = cloud_.saved("densityUpToDate"))
+    {
+        upToDate->reset(upToDate->size());
+    }
+    if (!wall_.size())
+    {
+        return false;
+    }
+    {
+        ledger::section timer(ledger_, "pack");
+        search_.halo().copy(cloud_.v());
+        forTiles(cloud_.total(), [&](const label first, const label count)
+        {
+            ulph::laneRow v[3];
+            cloud_.v().load(first, count, v);
+            search_.sums().packVelocity(first, count, v);
+        });
+    }
+    wall_.setTime(t, t + later);
+    updateWalls(false);
+
+    ledger::section timer(ledger_, "divergencePass");
+    ulph::passRange range;
+    range.besideWalls = true;
+    divergenceSink sink(cloud_);
+    search_.sums().geometry
+    (
+        search_.fluidList(), range, ulph::velocityGradientSums, sink
+    );
+    return true;
 }
 
 

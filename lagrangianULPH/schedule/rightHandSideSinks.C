@@ -26,6 +26,7 @@ Foam::geometrySink::geometrySink
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     divergence_(*cloud.derived("divergence")),
+    upToDate_(cloud.saved("densityUpToDate")),
     surface_(cloud.derived("surface")),
     lambda_(cloud.derived("lambda")),
     gradient_(cloud.derived("densityGradient")),
@@ -71,10 +72,19 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     K_.store(sums.first, sums.count, K);
     b_.store(sums.first, sums.count, sums.b);
 
+    ulph::laneRow ahead = {};
+    if (upToDate_)
+    {
+        upToDate_->load(0, sums.first, sums.count, ahead);
+    }
+    ulph::forLanes(sums.count, [&](const int l)
+    {
+        ahead[l] = ahead_*(1 - ahead[l]);
+    });
     ulph::laneRow div;
     momentTensor::divergence
     (
-        D_, sums.count, K, sums.L, ahead_, tankGradient_, div
+        D_, sums.count, K, sums.L, ahead, tankGradient_, div
     );
     divergence_.store(0, sums.first, sums.count, div);
 
@@ -118,6 +128,31 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
         models_.shift->direction(sums, R);
         shift_->store(sums.first, sums.count, R);
     }
+}
+
+
+// * * * * * * * * * * * * * *  divergenceSink  * * * * * * * * * * * * * * * //
+
+Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
+:
+    D_(cloud.D()),
+    K_(*cloud.derived("inverseMoment")),
+    divergence_(*cloud.derived("divergence")),
+    upToDate_(*cloud.saved("densityUpToDate"))
+{}
+
+
+void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
+{
+    ulph::laneRow K[6];
+    K_.load(sums.first, sums.count, K);
+    ulph::laneRow div = {};
+    momentTensor::addContraction(D_, sums.count, 1, K, sums.L, div);
+    divergence_.store(0, sums.first, sums.count, div);
+
+    ulph::laneRow one;
+    ulph::forLanes(sums.count, [&](const int l) { one[l] = 1; });
+    upToDate_.store(0, sums.first, sums.count, one);
 }
 
 

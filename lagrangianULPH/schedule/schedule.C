@@ -102,7 +102,7 @@ Foam::schedule::schedule(ulphModels& models, ulphCloud& cloud)
     }
     for (const word& name : needs_.state.sortedToc())
     {
-        cloud.requireSaved(name);
+        cloud.requireSaved(name, false);
     }
     for (effect& e : effects)
     {

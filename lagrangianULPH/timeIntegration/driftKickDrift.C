@@ -38,16 +38,20 @@ void Foam::timeIntegrations::driftKickDrift::advance
 ) const
 {
     rightHandSide& rates = tools.rates();
-    const scalar middle = t + 0.5*dt;
+    const scalar half = 0.5*dt;
 
-    tools.drift(t, 0.5*dt);
+    tools.drift(t, half);
     tools.updateNeighbours();
-    rates.geometry(middle, 0.5*dt);
-    tools.advanceDensity(tools.densityLag() + 0.5*dt);
-    tools.setDensityLag(0.5*dt);
-    rates.force(middle, true);
-    tools.kick(t, dt, rates.bodyForce(middle).perVelocity);
-    tools.drift(middle, 0.5*dt);
+    rates.geometry(t + half, half);
+    tools.advanceDensity(tools.densityLag() + half, half, dt);
+    tools.setDensityLag(half);
+    rates.force(t + half, true);
+    tools.kick(t, dt, rates.bodyForce(t + half).perVelocity);
+    if (rates.divergence(t + half, half))
+    {
+        tools.advanceDensity(0, half, 0);
+    }
+    tools.drift(t + half, half);
     tools.shift(dt);
 }
 

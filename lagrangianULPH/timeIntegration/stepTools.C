@@ -185,7 +185,12 @@ void Foam::stepTools::kick
 }
 
 
-void Foam::stepTools::advanceDensity(const scalar dt)
+void Foam::stepTools::advanceDensity
+(
+    const scalar dtBehind,
+    const scalar dtUpToDate,
+    const scalar dtDiffusion
+)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
@@ -194,6 +199,7 @@ void Foam::stepTools::advanceDensity(const scalar dt)
     const particleField* const neighbourDiffusion =
         cloud.saved("neighbourDiffusion");
     const particleField* const relaxation = cloud.derived("densityRelaxation");
+    const particleField* const upToDate = cloud.saved("densityUpToDate");
     const freeSurface& surface = *rates_.models().surface;
     energyBudget* const book = budget();
     const scalar rho0 = cloud.rho0();
@@ -232,12 +238,19 @@ void Foam::stepTools::advanceDensity(const scalar dt)
         {
             std::copy_n(excess, n, held);
         }
+        ulph::laneRow ready = {};
+        if (upToDate)
+        {
+            upToDate->load(0, first, n, ready);
+        }
         ulph::laneRow change;
         scalar sumOfTile = 0;
         ulph::forLanes(n, [&](const int l)
         {
             change[l] =
-                dt*(diffused[l] + relaxed[l] - (rho0 + excess[l])*div[l]);
+                dtDiffusion*(diffused[l] + relaxed[l])
+              - (dtBehind + ready[l]*(dtUpToDate - dtBehind))
+               *(rho0 + excess[l])*div[l];
         });
         for (label l = 0; l < n; ++l)
         {
@@ -251,7 +264,11 @@ void Foam::stepTools::advanceDensity(const scalar dt)
         ulph::forLanes(n, [&](const int l) { excess[l] += change[l]; });
         if (book)
         {
-            book->addDensity(first, n, dt, diffused, relaxed, held, excess);
+            book->addDensity
+            (
+                first, n, dtDiffusion, diffused, relaxed, held, excess
+            );
+
             std::copy_n(excess, n, held);
         }
         surface.release(first, n, excess);

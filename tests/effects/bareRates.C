@@ -35,8 +35,12 @@ public:
         to_.b.store(sums.first, sums.count, sums.b);
 
         ulph::laneRow div;
+        const ulph::laneRow notAhead = {};
         const scalar atRest[9] = {};
-        momentTensor::divergence(D, sums.count, K, sums.L, 0, atRest, div);
+        momentTensor::divergence
+        (
+            D, sums.count, K, sums.L, notAhead, atRest, div
+        );
         to_.divergence.store(0, sums.first, sums.count, div);
     }
 };

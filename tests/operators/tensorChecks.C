@@ -162,7 +162,9 @@ static void tensorChecks(tally& t, const int D)
             }
         }
         ulph::laneRow div;
-        momentTensor::divergence(D, count, M, L, 0.3, turning, div);
+        ulph::laneRow ahead;
+        std::fill_n(ahead, ulph::maxLanes, 0.3);
+        momentTensor::divergence(D, count, M, L, ahead, turning, div);
         const mat G(B*A);
         divergence.add(div[lane], (G + 0.3*G*(G - W)).trace());
     }
