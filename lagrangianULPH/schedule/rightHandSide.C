@@ -84,7 +84,7 @@ Foam::rightHandSide::rightHandSide
 {
     if (wall.any())
     {
-        cloud.requireSaved("densityUpToDate", true);
+        cloud.requireSaved("divergenceAfterKick", true);
     }
 }
 
@@ -215,15 +215,25 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
 }
 
 
-bool Foam::rightHandSide::divergence(const scalar t, const scalar later)
+void Foam::rightHandSide::divergence(const scalar t, const scalar later)
 {
-    if (particleField* const upToDate = cloud_.saved("densityUpToDate"))
+    particleField* const afterKick = cloud_.saved("divergenceAfterKick");
+    if (!afterKick)
     {
-        upToDate->reset(upToDate->size());
+        return;
     }
+    forTiles(cloud_.size(), [&](const label first, const label count)
+    {
+        ulph::laneRow row;
+        ulph::forLanes(count, [&](const int l)
+        {
+            row[l] = divergenceSink::notTaken;
+        });
+        afterKick->store(0, first, count, row);
+    });
     if (!wall_.size())
     {
-        return false;
+        return;
     }
     {
         ledger::section timer(ledger_, "pack");
@@ -246,7 +256,6 @@ bool Foam::rightHandSide::divergence(const scalar t, const scalar later)
     (
         search_.fluidList(), range, ulph::velocityGradientSums, sink
     );
-    return true;
 }
 
 

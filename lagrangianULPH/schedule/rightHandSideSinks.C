@@ -26,7 +26,7 @@ Foam::geometrySink::geometrySink
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     divergence_(*cloud.derived("divergence")),
-    upToDate_(cloud.saved("densityUpToDate")),
+    afterKick_(cloud.saved("divergenceAfterKick")),
     surface_(cloud.derived("surface")),
     lambda_(cloud.derived("lambda")),
     gradient_(cloud.derived("densityGradient")),
@@ -72,14 +72,19 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     K_.store(sums.first, sums.count, K);
     b_.store(sums.first, sums.count, sums.b);
 
-    ulph::laneRow ahead = {};
-    if (upToDate_)
+    ulph::laneRow afterKick;
+    ulph::laneRow ahead;
+    ulph::forLanes(sums.count, [&](const int l)
     {
-        upToDate_->load(0, sums.first, sums.count, ahead);
+        afterKick[l] = divergenceSink::notTaken;
+    });
+    if (afterKick_)
+    {
+        afterKick_->load(0, sums.first, sums.count, afterKick);
     }
     ulph::forLanes(sums.count, [&](const int l)
     {
-        ahead[l] = ahead_*(1 - ahead[l]);
+        ahead[l] = afterKick[l] == divergenceSink::notTaken ? ahead_ : 0;
     });
     ulph::laneRow div;
     momentTensor::divergence
@@ -87,6 +92,17 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
         D_, sums.count, K, sums.L, ahead, tankGradient_, div
     );
     divergence_.store(0, sums.first, sums.count, div);
+    if (afterKick_)
+    {
+        ulph::forLanes(sums.count, [&](const int l)
+        {
+            afterKick[l] =
+                afterKick[l] == divergenceSink::notTaken
+              ? div[l]
+              : afterKick[l];
+        });
+        afterKick_->store(0, sums.first, sums.count, afterKick);
+    }
 
     if (lambda_ && !surfaceKnown_)
     {
@@ -137,8 +153,7 @@ Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
 :
     D_(cloud.D()),
     K_(*cloud.derived("inverseMoment")),
-    divergence_(*cloud.derived("divergence")),
-    upToDate_(*cloud.saved("densityUpToDate"))
+    afterKick_(*cloud.saved("divergenceAfterKick"))
 {}
 
 
@@ -148,11 +163,7 @@ void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
     K_.load(sums.first, sums.count, K);
     ulph::laneRow div = {};
     momentTensor::addContraction(D_, sums.count, 1, K, sums.L, div);
-    divergence_.store(0, sums.first, sums.count, div);
-
-    ulph::laneRow one;
-    ulph::forLanes(sums.count, [&](const int l) { one[l] = 1; });
-    upToDate_.store(0, sums.first, sums.count, one);
+    afterKick_.store(0, sums.first, sums.count, div);
 }
 
 

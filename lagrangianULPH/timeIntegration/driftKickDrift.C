@@ -43,14 +43,11 @@ void Foam::timeIntegrations::driftKickDrift::advance
     tools.drift(t, half);
     tools.updateNeighbours();
     rates.geometry(t + half, half);
-    tools.advanceDensity(tools.densityLag() + half, half, dt);
+    tools.advanceDensity(tools.densityLag(), half);
     tools.setDensityLag(half);
     rates.force(t + half, true);
     tools.kick(t, dt, rates.bodyForce(t + half).perVelocity);
-    if (rates.divergence(t + half, half))
-    {
-        tools.advanceDensity(0, half, 0);
-    }
+    rates.divergence(t + half, half);
     tools.drift(t + half, half);
     tools.shift(dt);
 }

@@ -46,7 +46,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.save();
     tools.drift(t, 0.5*dt);
     tools.kick(t, 0.5*dt);
-    tools.advanceDensity(0.5*dt, 0.5*dt, 0.5*dt);
+    tools.advanceDensity(0, 0.5*dt);
 
     tools.updateNeighbours();
     rates.geometry(t + 0.5*dt);

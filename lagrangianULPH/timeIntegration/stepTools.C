@@ -187,9 +187,8 @@ void Foam::stepTools::kick
 
 void Foam::stepTools::advanceDensity
 (
-    const scalar dtBehind,
-    const scalar dtUpToDate,
-    const scalar dtDiffusion
+    const scalar dtAfterKick,
+    const scalar dt
 )
 {
     ledger::section timer(rates_.times(), "integration");
@@ -199,7 +198,11 @@ void Foam::stepTools::advanceDensity
     const particleField* const neighbourDiffusion =
         cloud.saved("neighbourDiffusion");
     const particleField* const relaxation = cloud.derived("densityRelaxation");
-    const particleField* const upToDate = cloud.saved("densityUpToDate");
+    const particleField& afterKick =
+        cloud.saved("divergenceAfterKick")
+      ? *cloud.saved("divergenceAfterKick")
+      : divergence;
+    const scalar total = dtAfterKick + dt;
     const freeSurface& surface = *rates_.models().surface;
     energyBudget* const book = budget();
     const scalar rho0 = cloud.rho0();
@@ -213,10 +216,12 @@ void Foam::stepTools::advanceDensity
     for (label first = 0; first < cloud.size(); first += ulph::maxLanes)
     {
         const label n = Foam::min(label(ulph::maxLanes), cloud.size() - first);
+        ulph::laneRow div0;
         ulph::laneRow div;
         ulph::laneRow diffused = {};
         ulph::laneRow relaxed = {};
         ulph::laneRow held;
+        afterKick.load(0, first, n, div0);
         divergence.load(0, first, n, div);
         if (diffusion)
         {
@@ -238,19 +243,13 @@ void Foam::stepTools::advanceDensity
         {
             std::copy_n(excess, n, held);
         }
-        ulph::laneRow ready = {};
-        if (upToDate)
-        {
-            upToDate->load(0, first, n, ready);
-        }
         ulph::laneRow change;
         scalar sumOfTile = 0;
         ulph::forLanes(n, [&](const int l)
         {
             change[l] =
-                dtDiffusion*(diffused[l] + relaxed[l])
-              - (dtBehind + ready[l]*(dtUpToDate - dtBehind))
-               *(rho0 + excess[l])*div[l];
+                total*(diffused[l] + relaxed[l])
+              - (rho0 + excess[l])*(dtAfterKick*div0[l] + dt*div[l]);
         });
         for (label l = 0; l < n; ++l)
         {
@@ -266,7 +265,7 @@ void Foam::stepTools::advanceDensity
         {
             book->addDensity
             (
-                first, n, dtDiffusion, diffused, relaxed, held, excess
+                first, n, total, diffused, relaxed, held, excess
             );
 
             std::copy_n(excess, n, held);

@@ -91,7 +91,7 @@ void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
     }
 
     drift(t, dt);
-    advanceDensity(dt, dt, dt);
+    advanceDensity(0, dt);
     kick(t, dt);
     for (const savedField& field : fields)
     {
