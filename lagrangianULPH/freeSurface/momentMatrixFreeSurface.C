@@ -59,7 +59,8 @@ Foam::freeSurfaces::momentMatrixFreeSurface::momentMatrixFreeSurface
     h_(cloud.h()),
     dx_(cloud.dx()),
     surface_(threshold(dict, "surface", surfaceFraction, cloud)),
-    interior_(threshold(dict, "interior", interiorFraction, cloud))
+    interior_(threshold(dict, "interior", interiorFraction, cloud)),
+    thin_(thinFraction*cloud.shared().beta/sqr(cloud.dx()))
 {}
 
 
@@ -102,22 +103,39 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::release
     double* densityExcess
 ) const
 {
-    ulph::laneRow surface;
-    class_->load(0, first, count, surface);
+    ulph::laneRow classes;
+    ulph::laneRow lambda;
+    class_->load(0, first, count, classes);
+    lambda_->load(0, first, count, lambda);
 
     label nReleased = 0;
+    label nThin = 0;
     for (label l = 0; l < count; ++l)
     {
-        if (surface[l] == splash && densityExcess[l] != 0)
+        if (classes[l] == splash && densityExcess[l] != 0)
         {
             densityExcess[l] = 0;
             ++nReleased;
+        }
+        if
+        (
+            classes[l] == surface && lambda[l] < thin_
+         && densityExcess[l] < 0
+        )
+        {
+            densityExcess[l] = 0;
+            ++nThin;
         }
     }
     if (nReleased)
     {
         #pragma omp atomic
         nReleased_ += nReleased;
+    }
+    if (nThin)
+    {
+        #pragma omp atomic
+        nThin_ += nThin;
     }
 }
 
@@ -141,7 +159,9 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::keepInside
 void Foam::freeSurfaces::momentMatrixFreeSurface::report(Ostream& os) const
 {
     os  << "    freeSurface: pressure of a splash particle set to zero "
-        << nReleased_ << " times" << nl;
+        << nReleased_ << " times" << nl
+        << "    freeSurface: tension of a particle of a thin film or drop set to zero "
+        << nThin_ << " times" << nl;
 }
 
 
