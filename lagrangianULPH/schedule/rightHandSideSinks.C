@@ -5,6 +5,41 @@
 
 #include "rightHandSideSinks.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// The walls push with their own inverse moment 1/beta beside that of the particle,
+// K: so their part of the divergence, K : L, must take the mean of both, or
+// impacts of thin fluid, whose K is large, would gain energy
+static void meanOfWalls
+(
+    const int D,
+    const ulph::geometryBlock& sums,
+    const scalar beta,
+    const ulph::laneRow* K,
+    ulph::laneRow& div
+)
+{
+    if (!sums.walls)
+    {
+        return;
+    }
+    momentTensor::addContraction(D, sums.count, -0.5, K, sums.wallL, div);
+    for (int k = 0; k < D; ++k)
+    {
+        const ulph::laneRow& diagonal = sums.wallL[k*D + k];
+        ulph::forLanes(sums.count, [&](const int l)
+        {
+            div[l] += 0.5/beta*diagonal[l];
+        });
+    }
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * geometrySink  * * * * * * * * * * * * * * * //
 
 Foam::geometrySink::geometrySink
@@ -91,6 +126,7 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     (
         D_, sums.count, K, sums.L, ahead, tankGradient_, div
     );
+    meanOfWalls(D_, sums, cloud_.shared().beta, K, div);
     divergence_.store(0, sums.first, sums.count, div);
     if (afterKick_)
     {
@@ -152,6 +188,7 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
 Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
 :
     D_(cloud.D()),
+    beta_(cloud.shared().beta),
     K_(*cloud.derived("inverseMoment")),
     afterKick_(*cloud.saved("divergenceAfterKick"))
 {}
@@ -163,6 +200,7 @@ void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
     K_.load(sums.first, sums.count, K);
     ulph::laneRow div = {};
     momentTensor::addContraction(D_, sums.count, 1, K, sums.L, div);
+    meanOfWalls(D_, sums, beta_, K, div);
     afterKick_.store(0, sums.first, sums.count, div);
 }
 

@@ -167,7 +167,8 @@ void Foam::literal::rates(particle& I) const
         const vec KIx(I.K*x);
         const vec KJx(J.K*x);
 
-        I.div += wV*(J.v - I.v).dot(KIx);
+        // Walls with the mean of both inverse moments, which their push has
+        I.div += wV*(J.v - I.v).dot(J.isWall ? vec(0.5*(KIx + KJx)) : KIx);
 
         // Eq. (24) with the plus sign
         I.Phi += diffusivity*wV

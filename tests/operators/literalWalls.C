@@ -27,6 +27,7 @@ void Foam::literal::setWalls()
         W.x = rig_.solved(set.position[i]);
         W.V = set.volume[i];
         W.p = 0;
+        W.isWall = true;
         W.K.topLeftCorner(D_, D_).diagonal().setConstant
         (
             1/rig_.cloud.shared().beta
