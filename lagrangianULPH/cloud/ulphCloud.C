@@ -17,6 +17,24 @@ namespace Foam
 const Foam::word Foam::ulphCloud::cloudName("fluid");
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static particleField* fieldOf
+(
+    const HashPtrTable<particleField>& fields,
+    const word& name
+)
+{
+    const auto iter = fields.cfind(name);
+    return iter.found() ? *iter : nullptr;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::ulphCloud::ulphCloud
@@ -192,29 +210,25 @@ Foam::particleField& Foam::ulphCloud::requireSaved
 
 const Foam::particleField* Foam::ulphCloud::saved(const word& name) const
 {
-    const auto iter = state_.cfind(name);
-    return iter.found() ? *iter : nullptr;
+    return fieldOf(state_, name);
 }
 
 
 Foam::particleField* Foam::ulphCloud::saved(const word& name)
 {
-    const auto iter = state_.find(name);
-    return iter.found() ? *iter : nullptr;
+    return fieldOf(state_, name);
 }
 
 
 const Foam::particleField* Foam::ulphCloud::derived(const word& name) const
 {
-    const auto iter = derived_.cfind(name);
-    return iter.found() ? *iter : nullptr;
+    return fieldOf(derived_, name);
 }
 
 
 Foam::particleField* Foam::ulphCloud::derived(const word& name)
 {
-    const auto iter = derived_.find(name);
-    return iter.found() ? *iter : nullptr;
+    return fieldOf(derived_, name);
 }
 
 

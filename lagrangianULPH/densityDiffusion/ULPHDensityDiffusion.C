@@ -36,7 +36,7 @@ Foam::effectNeeds Foam::densityDiffusions::ULPHDensityDiffusion::needs() const
 {
     effectNeeds all(laplacianDensityDiffusion::needs());
     all.fields.set("densityGradient", D_);
-    all.state.set("neighbourDiffusion");
+    all.state.set("neighbourDiffusion", false);
     all.geometry |= ulph::gradientSums;
     all.force = ulph::densityDiffusionSums;
     return all;

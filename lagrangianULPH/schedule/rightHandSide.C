@@ -81,12 +81,7 @@ Foam::rightHandSide::rightHandSide
     search_(search),
     contact_(contact),
     ledger_(times)
-{
-    if (wall.any())
-    {
-        cloud.requireSaved("divergenceAfterKick", true);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -151,20 +146,21 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
 {
     if (densityChanged)
     {
-        ledger::section timer(ledger_, "pack");
-        search_.halo().copy(cloud_.densityExcess());
-    }
-    // The records of the geometry pass are read for the walls only
-    if (densityChanged && wall_.size())
-    {
         {
             ledger::section timer(ledger_, "pack");
-            forTiles(cloud_.total(), [&](const label first, const label count)
-            {
-                ulph::laneRow rho1;
-                cloud_.densityExcess().load(0, first, count, rho1);
-                search_.sums().packScalar(first, count, rho1);
-            });
+            search_.halo().copy(cloud_.densityExcess());
+
+            // The records of the geometry pass are read for the walls only
+            forTiles
+            (
+                wall_.size() ? cloud_.total() : 0,
+                [&](const label first, const label count)
+                {
+                    ulph::laneRow rho1;
+                    cloud_.densityExcess().load(0, first, count, rho1);
+                    search_.sums().packScalar(first, count, rho1);
+                }
+            );
         }
         updateWalls(false);
     }
@@ -222,14 +218,11 @@ void Foam::rightHandSide::divergence(const scalar t, const scalar later)
     {
         return;
     }
+    ulph::laneRow notTaken;
+    std::fill_n(notTaken, ulph::maxLanes, divergenceSink::notTaken);
     forTiles(cloud_.size(), [&](const label first, const label count)
     {
-        ulph::laneRow row;
-        ulph::forLanes(count, [&](const int l)
-        {
-            row[l] = divergenceSink::notTaken;
-        });
-        afterKick->store(0, first, count, row);
+        afterKick->store(0, first, count, notTaken);
     });
     if (!wall_.size())
     {

@@ -95,6 +95,47 @@ void Foam::geometrySink::hydrostaticGradient
 }
 
 
+void Foam::geometrySink::takeDivergence
+(
+    const ulph::geometryBlock& sums,
+    const ulph::laneRow* K
+)
+{
+    // Where the pass after the kick gave none, it is that of this pass
+    ulph::laneRow afterKick;
+    ulph::laneRow ahead;
+    std::fill_n(afterKick, sums.count, divergenceSink::notTaken);
+    if (afterKick_)
+    {
+        afterKick_->load(0, sums.first, sums.count, afterKick);
+    }
+    ulph::forLanes(sums.count, [&](const int l)
+    {
+        ahead[l] = afterKick[l] == divergenceSink::notTaken ? ahead_ : 0;
+    });
+
+    ulph::laneRow div;
+    momentTensor::divergence
+    (
+        D_, sums.count, K, sums.L, ahead, tankGradient_, div
+    );
+    meanOfWalls(D_, sums, cloud_.shared().beta, K, div);
+    divergence_.store(0, sums.first, sums.count, div);
+
+    if (afterKick_)
+    {
+        for (label l = 0; l < sums.count; ++l)
+        {
+            if (afterKick[l] == divergenceSink::notTaken)
+            {
+                afterKick[l] = div[l];
+            }
+        }
+        afterKick_->store(0, sums.first, sums.count, afterKick);
+    }
+}
+
+
 void Foam::geometrySink::take(const ulph::geometryBlock& sums)
 {
     ulph::laneRow K[6];
@@ -107,38 +148,7 @@ void Foam::geometrySink::take(const ulph::geometryBlock& sums)
     K_.store(sums.first, sums.count, K);
     b_.store(sums.first, sums.count, sums.b);
 
-    ulph::laneRow afterKick;
-    ulph::laneRow ahead;
-    ulph::forLanes(sums.count, [&](const int l)
-    {
-        afterKick[l] = divergenceSink::notTaken;
-    });
-    if (afterKick_)
-    {
-        afterKick_->load(0, sums.first, sums.count, afterKick);
-    }
-    ulph::forLanes(sums.count, [&](const int l)
-    {
-        ahead[l] = afterKick[l] == divergenceSink::notTaken ? ahead_ : 0;
-    });
-    ulph::laneRow div;
-    momentTensor::divergence
-    (
-        D_, sums.count, K, sums.L, ahead, tankGradient_, div
-    );
-    meanOfWalls(D_, sums, cloud_.shared().beta, K, div);
-    divergence_.store(0, sums.first, sums.count, div);
-    if (afterKick_)
-    {
-        ulph::forLanes(sums.count, [&](const int l)
-        {
-            afterKick[l] =
-                afterKick[l] == divergenceSink::notTaken
-              ? div[l]
-              : afterKick[l];
-        });
-        afterKick_->store(0, sums.first, sums.count, afterKick);
-    }
+    takeDivergence(sums, K);
 
     if (lambda_ && !surfaceKnown_)
     {
@@ -238,7 +248,6 @@ Foam::forceSink::forceSink
     cloud_(cloud),
     models_(models),
     force_(force),
-    forced_(!force.zero()),
     K_(*cloud.derived("inverseMoment")),
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
@@ -326,7 +335,7 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
             a[k][l] /= cloud_.rho0() + rho1[l];
         });
     }
-    if (forced_)
+    if (!force_.zero())
     {
         addBodyForce(sums.first, n, a);
     }

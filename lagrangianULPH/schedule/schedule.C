@@ -102,7 +102,7 @@ Foam::schedule::schedule(ulphModels& models, ulphCloud& cloud)
     }
     for (const word& name : needs_.state.sortedToc())
     {
-        cloud.requireSaved(name, false);
+        cloud.requireSaved(name, needs_.state[name]);
     }
     for (effect& e : effects)
     {

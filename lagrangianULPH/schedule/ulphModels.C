@@ -23,19 +23,6 @@ namespace Foam
 namespace Foam
 {
 
-static bool hasWalls(const polyMesh& mesh)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (isA<wallPolyPatch>(patch))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
 static bool hasGravity(const polyMesh& mesh)
 {
     IOobject header
@@ -149,7 +136,7 @@ Foam::dictionary Foam::ulphModels::complete
     if (mode == "default")
     {
         fill(defaultMode);
-        fill(hasWalls(mesh) ? stillWalls : inviscid);
+        fill(mesh.boundaryMesh().findPatchIDs<wallPolyPatch>().size() ? stillWalls : inviscid);
         fill(hasGravity(mesh) ? heavy : weightless);
     }
     else if (mode == "paper")

@@ -6,6 +6,7 @@
 #include "driftKickDrift.H"
 #include "addToRunTimeSelectionTable.H"
 #include "stepTools.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,12 +24,25 @@ namespace timeIntegrations
 Foam::timeIntegrations::driftKickDrift::driftKickDrift
 (
     const dictionary&,
-    const ulphCloud&
+    const ulphCloud& cloud
 )
+:
+    walls_(cloud.mesh().boundaryMesh().findPatchIDs<wallPolyPatch>().size())
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::effectNeeds Foam::timeIntegrations::driftKickDrift::needs() const
+{
+    effectNeeds all;
+    if (walls_)
+    {
+        all.state.set("divergenceAfterKick", true);
+    }
+    return all;
+}
+
 
 void Foam::timeIntegrations::driftKickDrift::advance
 (

@@ -167,6 +167,8 @@ void Foam::literal::rates(particle& I) const
         const vec KIx(I.K*x);
         const vec KJx(J.K*x);
 
+        I.seesWalls = I.seesWalls || J.isWall;
+
         // Walls with the mean of both inverse moments, which their push has
         I.div += wV*(J.v - I.v).dot(J.isWall ? vec(0.5*(KIx + KJx)) : KIx);
 

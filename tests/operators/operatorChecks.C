@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "literal.H"
+#include "rightHandSideSinks.H"
 #include "scenes.H"
 
 #include <functional>
@@ -265,6 +266,69 @@ static void fallChecks(tally& t)
 }
 
 
+//- The passes taken one after the other, as driftKickDrift does it
+static void splitChecks(tally& t, const scene& where)
+{
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+
+    library.rates.updateNeighbours();
+    library.rates.geometry(0);
+    library.rates.force(0, true);
+
+    // The force pass sees the old velocity, the divergence pass the new one
+    const literal before(library, choice.printed);
+    deviation dvdt;
+    randomVectors random(library.cloud.D(), 17);
+    for (int i = 0; i < library.size(); ++i)
+    {
+        dvdt.add(library.vectorOf("acceleration", i), before.fluid[i].dvdt);
+        const vec v(random.vector(3));
+        for (int k = 0; k < library.cloud.D(); ++k)
+        {
+            library.cloud.v().component(k)[i] = v[k];
+        }
+    }
+    library.rates.divergence(0, 0);
+    t.check(where.name + " split dv/dt", dvdt.relative(), 1e-12);
+
+    const particleField* const afterKick =
+        library.cloud.saved("divergenceAfterKick");
+    t.check
+    (
+        where.name + " divergence after the kick where there are walls",
+        bool(afterKick) == library.search().hasWalls()
+    );
+    if (!afterKick)
+    {
+        return;
+    }
+
+    // Left out are only particles that see no wall
+    const literal after(library, choice.printed);
+    deviation div;
+    int nTaken = 0;
+    int nLeftOut = 0;
+    for (int i = 0; i < library.size(); ++i)
+    {
+        const literal::particle& I = after.fluid[i];
+        if ((*afterKick)(i) != divergenceSink::notTaken)
+        {
+            ++nTaken;
+            div.add((*afterKick)(i), I.div);
+        }
+        else
+        {
+            nLeftOut += I.seesWalls;
+        }
+    }
+    t.check(where.name + " split div v", div.relative(), 1e-12);
+    t.check(where.name + " split div v taken", nTaken > 10);
+    t.check(where.name + " split div v left out beside walls", nLeftOut, 0.0);
+}
+
+
 //- The divergence at positions that are ahead of the velocities, as
 //- driftKickDrift takes it: of a field A x that stretches and turns it is that
 //- before, for a tank that turns, too
@@ -342,6 +406,7 @@ void Foam::operatorChecks(tally& t)
         literalChecks(t, where, false);
         literalChecks(t, where, true);
         skinChecks(t, where);
+        splitChecks(t, where);
     }
     partChecks(t, 2);
     partChecks(t, 3);

@@ -185,9 +185,12 @@ static std::vector<double> fieldsOf
     rig library(room, where.properties(mixed) + models, where.state);
     library.evaluate();
 
-    // Again after a rebuild
+    // Again after a rebuild, and the pass of the divergence alone
     library.neighbours.invalidate();
     library.evaluate();
+    library.rates.divergence(0, 0);
+    const particleField* const afterKick =
+        library.cloud.saved("divergenceAfterKick");
     omp_set_num_threads(1);
 
     std::vector<double> values;
@@ -198,6 +201,7 @@ static std::vector<double> fieldsOf
         (
             library.has("densityDiffusion") ? library.diffusionOf(i) : 0
         );
+        values.push_back(afterKick ? (*afterKick)(i) : 0);
         for (const word& name : library.cloud.derivedNames())
         {
             const particleField& field = *library.cloud.derived(name);
