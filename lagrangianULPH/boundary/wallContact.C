@@ -9,12 +9,22 @@
 
 Foam::scalar Foam::wallContact::height(const plane& wall) const
 {
-    scalar s = -wall.offset;
+    const point place(cloud_.position(wall.particle));
+    const wallBody& body = bodies_[wall.body];
+    return
+        ((body.moves() ? body.now().toBody(place) : place) & wall.normal)
+      - wall.offset;
+}
+
+
+void Foam::wallContact::lift(const plane& wall, const scalar distance)
+{
+    const vector normal(bodies_[wall.body].now().toGround.perLength & wall.normal);
     for (int k = 0; k < cloud_.D(); ++k)
     {
-        s += cloud_.x().component(k)[wall.particle]*wall.normal[k];
+        cloud_.x().component(k)[wall.particle] +=
+            distance*normal[cloud_.axis(k)];
     }
-    return s;
 }
 
 
@@ -31,32 +41,29 @@ void Foam::wallContact::findPlanes
     point place(cloud_.position(particle));
     for (int n = 0; n < cloud_.D(); ++n)
     {
-        const wallSearch::wallPoint nearest(search_.nearest(place, nearer));
-        if (!nearest.found())
+        const wallBodies::nearestWall nearest(bodies_.nearest(place, nearer));
+        const wallSearch::wallPoint& on = nearest.on;
+        if (!on.found())
         {
             return;
         }
-        plane wall;
-        wall.particle = particle;
-        wall.offset = 0;
-        for (int k = 0; k < cloud_.D(); ++k)
-        {
-            const direction d = cloud_.axis(k);
-            wall.normal[k] = nearest.normal[d];
-            wall.offset += nearest.position[d]*nearest.normal[d];
-        }
-        found.push_back(wall);
-        place += (reach - nearest.distance)*nearest.normal;
+        found.push_back
+        (
+            {particle, nearest.body, on.normal, on.position & on.normal}
+        );
+        place +=
+            (reach - on.distance)
+           *(bodies_[nearest.body].now().toGround.perLength & on.normal);
     }
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallContact::wallContact(ulphCloud& cloud, const wallSearch& search)
+Foam::wallContact::wallContact(ulphCloud& cloud, wallBodies& bodies)
 :
     cloud_(cloud),
-    search_(search),
+    bodies_(bodies),
     distance_(0.25*cloud.dx())
 {}
 
@@ -73,7 +80,6 @@ void Foam::wallContact::update
         return;
     }
 
-    const int D = cloud_.D();
     const scalar reach = cloud_.dx() + neighbours.skin();
     const ulph::clusterList& list = neighbours.fluidList();
     std::vector<std::vector<plane>> found(list.size());
@@ -97,11 +103,7 @@ void Foam::wallContact::update
             const scalar s = height(wall);
             if (s < 0)
             {
-                for (int k = 0; k < D; ++k)
-                {
-                    cloud_.x().component(k)[wall.particle] -=
-                        (s - 0.1*distance_)*wall.normal[k];
-                }
+                lift(wall, 0.1*distance_ - s);
                 ++nReturned_;
             }
         }
@@ -109,8 +111,19 @@ void Foam::wallContact::update
 }
 
 
-void Foam::wallContact::limitVelocity(const linearMap& walls)
+void Foam::wallContact::limitVelocity
+(
+    const scalar t,
+    const scalar dt,
+    const linearMap& tank
+)
 {
+    bodies_.setTime(t);
+    std::vector<linearMap> own(bodies_.size());
+    forAll(bodies_, b)
+    {
+        own[b] = bodies_[b].velocity(t + 0.5*dt);
+    }
     const int D = cloud_.D();
     for (const plane& wall : planes_)
     {
@@ -118,45 +131,41 @@ void Foam::wallContact::limitVelocity(const linearMap& walls)
         {
             continue;
         }
-        const vector wallV(walls(cloud_.position(wall.particle)));
-        scalar approach = 0;
-        for (int k = 0; k < D; ++k)
-        {
-            approach +=
-                (
-                    wallV[cloud_.axis(k)]
-                  - cloud_.v().component(k)[wall.particle]
-                )*wall.normal[k];
-        }
+        const label i = wall.particle;
+        const point place(cloud_.position(i));
+        const vector normal
+        (
+            bodies_[wall.body].now().toGround.perLength & wall.normal
+        );
+        const vector wallV(tank(place) + own[wall.body](place));
+        const scalar approach =
+            (wallV - cloud_.toVector(cloud_.v(), i)) & normal;
         if (approach > 0)
         {
             for (int k = 0; k < D; ++k)
             {
-                cloud_.v().component(k)[wall.particle] +=
-                    approach*wall.normal[k];
+                cloud_.v().component(k)[i] += approach*normal[cloud_.axis(k)];
             }
-            impulse_ += approach*cloud_.mass()(wall.particle);
+            impulse_ += approach*cloud_.mass()(i);
             ++nContacts_;
         }
     }
 }
 
 
-void Foam::wallContact::limitPosition()
+void Foam::wallContact::limitPosition(const scalar t)
 {
     // A shift shorter than 0.2 dx cannot pass the wall from contact distance,
     // but many would
     const scalar least = 0.1*distance_;
+
+    bodies_.setTime(t);
     for (const plane& wall : planes_)
     {
         const scalar s = height(wall);
         if (s < least)
         {
-            for (int k = 0; k < cloud_.D(); ++k)
-            {
-                cloud_.x().component(k)[wall.particle] +=
-                    (least - s)*wall.normal[k];
-            }
+            lift(wall, least - s);
             ++nReturned_;
         }
     }

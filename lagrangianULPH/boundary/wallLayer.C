@@ -5,7 +5,27 @@
 
 #include "wallLayer.H"
 
+#include "pointGrid.H"
 #include "symmetric.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Bounds of a box that is moved
+static boundBox moved(const boundBox& box, const linearMap& map)
+{
+    pointField corners(box.points());
+    for (point& corner : corners)
+    {
+        corner = map(corner);
+    }
+    return boundBox(corners, false);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -108,31 +128,69 @@ bool Foam::wallLayer::inReach
 
 void Foam::wallLayer::gather(const ulph::cellLayout& cells)
 {
-    const wallParticleSet& all = particles_->active();
-    const int D = cloud_.D();
+    // As near to each other as particles of one body may be
+    pointGrid before(0.7*cloud_.dx());
 
-    std::vector<label> chosen;
-    for (label i = 0; i < all.size(); ++i)
+    forAll(bodies_, b)
     {
-        if (inReach(cells, boundBox(all.position[i], all.position[i])))
+        if (!bodies_[b].hasWalls())
         {
-            chosen.push_back(i);
+            continue;
+        }
+        const wallParticleSet& all = bodies_[b].particles().active();
+        const linearMap& toGround = placed_[b].toGround;
+
+        std::vector<label> chosen;
+        for (label i = 0; i < all.size(); ++i)
+        {
+            const point p(toGround(all.position[i]));
+            if (inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p)))
+            {
+                chosen.push_back(i);
+            }
+        }
+        append(b, all, chosen);
+        if (b < bodies_.size() - 1)
+        {
+            for (const label i : chosen)
+            {
+                before.append(toGround(all.position[i]));
+            }
         }
     }
+}
 
-    const label n = label(chosen.size());
+
+void Foam::wallLayer::append
+(
+    const label body,
+    const wallParticleSet& all,
+    const std::vector<label>& chosen
+)
+{
+    const int D = cloud_.D();
+    const wallBody::placement& place = placed_[body];
+    const label first = size();
+
+    body_.resize(first + chosen.size(), body);
     for (particleField* field : {&x_, &volume_, &reflection_})
     {
-        field->reset(n);
+        field->resize(label(body_.size()));
     }
-    for (label i = 0; i < n; ++i)
+    for (label i = first; i < size(); ++i)
     {
-        const label from = chosen[i];
+        const label from = chosen[i - first];
+        const point p(place.toGround(all.position[from]));
+        const symmTensor R
+        (
+            bodies_[body].moves()
+          ? transform(place.toGround.perLength, all.reflection[from])
+          : all.reflection[from]
+        );
         volume_.set(i, 0, all.volume[from]);
-        const symmTensor& R = all.reflection[from];
         for (int k = 0; k < D; ++k)
         {
-            x_.set(i, k, all.position[from][cloud_.axis(k)]);
+            x_.set(i, k, p[cloud_.axis(k)]);
             for (int l = k; l < D; ++l)
             {
                 reflection_.set
@@ -147,12 +205,35 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
 }
 
 
+void Foam::wallLayer::wallVelocity
+(
+    const label first,
+    const label count,
+    ulph::laneRow* v
+) const
+{
+    velocity_.rows(cloud_, x_, nullptr, first, count, v);
+    for (label l = 0; bodies_.size() > 1 && l < count; ++l)
+    {
+        const int body = body_[first + l];
+        if (bodies_[body].moves())
+        {
+            const vector own(bodyVelocity_[body](position(first + l)));
+            for (int k = 0; k < cloud_.D(); ++k)
+            {
+                v[k][l] += own[cloud_.axis(k)];
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::wallLayer::wallLayer
 (
     const ulphCloud& cloud,
-    const wallSearch& search,
+    wallBodies& bodies,
     const wall& model,
     const bodyForce& force,
     const wallMotion& motion,
@@ -160,6 +241,7 @@ Foam::wallLayer::wallLayer
 )
 :
     cloud_(cloud),
+    bodies_(bodies),
     model_(model),
     force_(force),
     motion_(motion),
@@ -170,13 +252,11 @@ Foam::wallLayer::wallLayer
     v_(cloud.D(), cloud.shared().mixed),
     viscousV_(cloud.D(), cloud.shared().mixed),
     densityExcess_(1, false),
-    bodyForce_(cloud.D(), cloud.shared().mixed)
-{
-    if (search.hasWalls())
-    {
-        particles_.reset(new wallParticles(search, cloud.dx()));
-    }
-}
+    bodyForce_(cloud.D(), cloud.shared().mixed),
+    placed_(bodies.size()),
+    updated_(bodies.size()),
+    bodyVelocity_(bodies.size())
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -206,19 +286,109 @@ Foam::point Foam::wallLayer::position(const label i) const
 }
 
 
+void Foam::wallLayer::move(const scalar t)
+{
+    bodies_.setTime(t);
+    for (label b = 1; b < bodies_.size(); ++b)
+    {
+        const wallBody::placement& now = bodies_[b].now();
+        const linearMap moved(now.toGround.after(placed_[b].toBody));
+        const tensor& turned = moved.perLength;
+        for (label i = 0; i < size(); ++i)
+        {
+            if (body_[i] != b)
+            {
+                continue;
+            }
+            const point p(moved(position(i)));
+            symmTensor R(symmTensor::I);
+            const int D = cloud_.D();
+            for (int k = 0; k < D; ++k)
+            {
+                x_.set(i, k, p[cloud_.axis(k)]);
+                for (int l = k; l < D; ++l)
+                {
+                    R[ulph::symmetricIndex(3, cloud_.axis(k), cloud_.axis(l))] =
+                        reflection_(i, ulph::symmetricIndex(D, k, l));
+                }
+            }
+            R = transform(turned, R);
+            for (int k = 0; k < D; ++k)
+            {
+                for (int l = k; l < D; ++l)
+                {
+                    reflection_.set
+                    (
+                        i,
+                        ulph::symmetricIndex(D, k, l),
+                        R[ulph::symmetricIndex(3, cloud_.axis(k), cloud_.axis(l))]
+                    );
+                }
+            }
+        }
+        placed_[b] = now;
+    }
+}
+
+
+Foam::scalar Foam::wallLayer::way() const
+{
+    scalar longest = 0;
+    forAll(bodies_, b)
+    {
+        longest = max(longest, bodies_[b].way(updated_[b]));
+    }
+    return longest;
+}
+
+
+Foam::wallSearch::wallPoint Foam::wallLayer::nearest(const label i) const
+{
+    const wallBody::placement& place = placed_[body_[i]];
+    wallSearch::wallPoint found
+    (
+        bodies_[body_[i]].nearestOnBody(place.toBody(position(i)), GREAT)
+    );
+    found.position = place.toGround(found.position);
+    found.normal = place.toGround.perLength & found.normal;
+    return found;
+}
+
+
 void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
 {
-    if (!particles_)
+    if (!any())
     {
         return;
     }
     const ulph::cellLayout& cells = fluid.layout();
     markOccupied(fluid, reach);
-    particles_->update
-    (
-        [&](const boundBox& box) { return inReach(cells, box); }
-    );
+    forAll(bodies_, b)
+    {
+        if (!bodies_[b].hasWalls())
+        {
+            continue;
+        }
+        const linearMap& toGround = placed_[b].toGround;
+        bodies_[b].particles().update
+        (
+            [&](const boundBox& box)
+            {
+                return inReach
+                (
+                    cells,
+                    bodies_[b].moves() ? moved(box, toGround) : box
+                );
+            }
+        );
+    }
+    body_.clear();
+    for (particleField* field : {&x_, &volume_, &reflection_})
+    {
+        field->reset(0);
+    }
     gather(cells);
+    updated_ = placed_;
 
     for (particleField* field : {&v_, &viscousV_, &densityExcess_, &bodyForce_})
     {
@@ -232,17 +402,37 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
     x_.permute(order);
     volume_.permute(order);
     reflection_.permute(order);
+    const std::vector<int> before(body_);
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+        body_[i] = before[order[i]];
+    }
 }
 
 
 void Foam::wallLayer::setTime(const scalar t, const scalar tVelocity)
 {
+    move(t);
     velocity_ = motion_.velocity(tVelocity);
+    std::vector<linearMap> acceleration(bodies_.size());
+    forAll(bodies_, b)
+    {
+        bodyVelocity_[b] = bodies_[b].velocity(tVelocity);
+        acceleration[b] = bodies_[b].acceleration(t);
+    }
     const linearMap force(forceAtRest(t));
     forTiles(size(), [&](const label first, const label count)
     {
         ulph::laneRow f[3];
         force.rows(cloud_, x_, nullptr, first, count, f);
+        for (label l = 0; bodies_.size() > 1 && l < count; ++l)
+        {
+            const vector a(acceleration[body_[first + l]](position(first + l)));
+            for (int k = 0; k < cloud_.D(); ++k)
+            {
+                f[k][l] -= a[cloud_.axis(k)];
+            }
+        }
         bodyForce_.store(first, count, f);
     });
 }
@@ -265,15 +455,33 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     bodyForce_.load(first, sums.count, f);
 
     ulph::laneRow wallV[3];
-    velocity_.rows(cloud_, x_, nullptr, first, sums.count, wallV);
+    wallVelocity(first, sums.count, wallV);
 
     for (int l = 0; l < sums.count; ++l)
     {
-        rho1[l] = sums.w[l] > VSMALL ? sums.s[l]/sums.w[l] : 0;
+        const bool wet = sums.w[l] > VSMALL;
+        rho1[l] = wet ? sums.s[l]/sums.w[l] : 0;
         for (int k = 0; k < D; ++k)
         {
-            fluid[k][l] =
-                sums.w[l] > VSMALL ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
+            fluid[k][l] = wet ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
+        }
+
+        // What turns has another velocity where the averaged fluid is
+        const tensor turns
+        (
+            velocity_.perLength + bodyVelocity_[body_[first + l]].perLength
+        );
+        if (wet && turns != tensor::zero)
+        {
+            for (int k = 0; k < D; ++k)
+            {
+                for (int m = 0; m < D; ++m)
+                {
+                    fluid[k][l] -=
+                        turns(cloud_.axis(k), cloud_.axis(m))
+                       *sums.x[m][l]/sums.w[l];
+                }
+            }
         }
     }
 

@@ -62,8 +62,7 @@ Foam::wallLoad::wallLoad
     const ulphCloud& cloud,
     const ulphModels& models,
     const wallLayer& wall,
-    const neighbourSearch& neighbours,
-    const wallSearch& search
+    const neighbourSearch& neighbours
 )
 :
     regIOobject
@@ -77,8 +76,7 @@ Foam::wallLoad::wallLoad
     cloud_(cloud),
     models_(models),
     wall_(wall),
-    neighbours_(neighbours),
-    search_(search)
+    neighbours_(neighbours)
 {}
 
 
@@ -150,7 +148,7 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
     #pragma omp parallel for schedule(dynamic, 64)
     for (label j = 0; j < n; ++j)
     {
-        const wallSearch::wallPoint nearest(search_.nearest(wall_.position(j)));
+        const wallSearch::wallPoint nearest(wall_.nearest(j));
         loads[j].patch = nearest.patch;
         loads[j].where = nearest.position;
     }

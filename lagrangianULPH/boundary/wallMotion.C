@@ -51,8 +51,8 @@ Foam::linearMap Foam::wallMotion::drift
     {
         return {Zero, tensor::I, dt*tensor::I};
     }
-    const tankMotion::place before(motion_->at(t));
-    const tankMotion::place after(motion_->at(t + dt));
+    const solidBodyMotion::place before(motion_->at(t));
+    const solidBodyMotion::place after(motion_->at(t + dt));
     const tensor toTank(after.axes.T());
     return
     {

@@ -231,7 +231,7 @@ void Foam::wallParticles::append
     if (mirrors.size() == 1)
     {
         // Past the edge of a wall there is still only that wall to mirror
-        if (beyond < 0) mirrors[0] = outward;
+        if (beyond < 0 && !surface.onRim(hit)) mirrors[0] = outward;
     }
 
     symmTensor reflection(symmTensor::I);

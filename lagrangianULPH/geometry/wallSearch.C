@@ -12,16 +12,36 @@
 
 Foam::wallSearch::wallSearch(const polyMesh& mesh)
 :
+    wallSearch(mesh, [](const polyPatch&) { return true; })
+{}
+
+
+Foam::wallSearch::wallSearch
+(
+    const polyMesh& mesh,
+    const std::function<bool(const polyPatch&)>& isChosen
+)
+:
     mesh_(mesh),
     boundary_
     (
         mesh,
-        [](const polyPatch& pp)
+        [&](const polyPatch& pp)
         {
-            return !isA<emptyPolyPatch>(pp) && !isA<processorPolyPatch>(pp);
+            return
+                isChosen(pp)
+             && !isA<emptyPolyPatch>(pp)
+             && !isA<processorPolyPatch>(pp);
         }
     ),
-    walls_(mesh, [](const polyPatch& pp) { return isA<wallPolyPatch>(pp); }),
+    walls_
+    (
+        mesh,
+        [&](const polyPatch& pp)
+        {
+            return isChosen(pp) && isA<wallPolyPatch>(pp);
+        }
+    ),
     midPlane_(mesh.bounds().midpoint())
 {
     if (mesh.nGeometricD() < 2)

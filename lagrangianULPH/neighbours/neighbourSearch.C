@@ -133,11 +133,13 @@ void Foam::neighbourSearch::wrap()
 bool Foam::neighbourSearch::update()
 {
     halo_.copyPositions();
+    const scalar way = wall_.way();
     if
     (
         valid_
+     && way < skin_
      && !halo_.strayed(stray_)
-     && !motion_.exceeds(cloud_.totalView(), skin_, farthest_)
+     && !motion_.exceeds(cloud_.totalView(), skin_ - way, farthest_ - way)
     )
     {
         return false;

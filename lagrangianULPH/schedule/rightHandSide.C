@@ -86,9 +86,10 @@ Foam::rightHandSide::rightHandSide
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::rightHandSide::updateNeighbours()
+void Foam::rightHandSide::updateNeighbours(const scalar t)
 {
     ledger::section timer(ledger_, "neighbours");
+    wall_.move(t);
     if (search_.update())
     {
         wall_.firstRecord = search_.firstWall();
@@ -128,7 +129,7 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
         geometrySink sink
         (
             cloud_, models_, wall_.forceAtRest(t), surfaceFirst, ahead,
-            wall_.velocity().perLength
+            wall_.tankVelocity().perLength
         );
         search_.sums().geometry
         (

@@ -122,10 +122,11 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     search_(mesh),
     locator_(mesh),
     motion_(properties_, mesh),
+    bodies_(properties_, search_, dx_),
     wall_
     (
         cloud_,
-        search_,
+        bodies_,
         *models_.boundary,
         *models_.force,
         motion_,
@@ -138,8 +139,8 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
         kernel_,
         getInRange(properties_, "skin", 0.2, scalarMinMax(0, 2))
     ),
-    contact_(cloud_, search_),
-    load_(mesh, cloud_, models_, wall_, neighbours_, search_),
+    contact_(cloud_, bodies_),
+    load_(mesh, cloud_, models_, wall_, neighbours_),
     schedule_(models_, cloud_),
     guard_(properties_, cloud_, [this]() { return writeLastGood(); }),
     rates_
@@ -214,7 +215,7 @@ void Foam::ulphSolver::setDeltaT()
 
 void Foam::ulphSolver::evaluate()
 {
-    rates_.updateNeighbours();
+    rates_.updateNeighbours(time_.value());
     rates_.geometry(time_.value());
     rates_.force(time_.value(), false);
 }

@@ -117,6 +117,7 @@ void Foam::ulphSolver::makeParticles()
     }
 
     refuseLostParticles();
+    bodies_.refuseDisplaced(time_.value());
 
     const fluidLattice lattice(mesh_, search_, properties_);
 

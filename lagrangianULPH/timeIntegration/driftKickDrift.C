@@ -55,7 +55,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     const scalar half = 0.5*dt;
 
     tools.drift(t, half);
-    tools.updateNeighbours();
+    tools.updateNeighbours(t + half);
     rates.geometry(t + half, half);
     tools.advanceDensity(tools.densityLag(), half);
     tools.setDensityLag(half);
@@ -63,7 +63,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     tools.kick(t, dt, rates.bodyForce(t + half).perVelocity);
     rates.divergence(t + half, half);
     tools.drift(t + half, half);
-    tools.shift(dt);
+    tools.shift(t + dt, dt);
 }
 
 

@@ -39,7 +39,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
 {
     rightHandSide& rates = tools.rates();
 
-    tools.updateNeighbours();
+    tools.updateNeighbours(t);
     rates.geometry(t);
     rates.force(t, false);
 
@@ -48,12 +48,12 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.kick(t, 0.5*dt);
     tools.advanceDensity(0, 0.5*dt);
 
-    tools.updateNeighbours();
+    tools.updateNeighbours(t + 0.5*dt);
     rates.geometry(t + 0.5*dt);
     rates.force(t + 0.5*dt, false);
 
     tools.advanceSaved(t, dt);
-    tools.shift(dt);
+    tools.shift(t + dt, dt);
     tools.setDensityLag(0);
 }
 

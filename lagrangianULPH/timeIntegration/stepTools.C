@@ -87,13 +87,13 @@ void Foam::stepTools::measureSpeed(const scalar t)
 }
 
 
-void Foam::stepTools::updateNeighbours()
+void Foam::stepTools::updateNeighbours(const scalar t)
 {
     energyBudget::change work
     (
         contactBudget(), energyBudget::contact, &energyBudget::potential
     );
-    rates_.updateNeighbours();
+    rates_.updateNeighbours(t);
 }
 
 
@@ -106,7 +106,7 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
         (
             contactBudget(), energyBudget::contact, &energyBudget::kinetic
         );
-        contact_.limitVelocity(motion_.velocity(t + 0.5*dt));
+        contact_.limitVelocity(t, dt, motion_.velocity(t + 0.5*dt));
     }
 
     const linearMap drifted(motion_.drift(t, dt));
@@ -290,7 +290,7 @@ void Foam::stepTools::advanceDensity
 }
 
 
-void Foam::stepTools::shift(const scalar dt)
+void Foam::stepTools::shift(const scalar t, const scalar dt)
 {
     const shifting& model = *rates_.models().shift;
     if (model.off())
@@ -324,7 +324,7 @@ void Foam::stepTools::shift(const scalar dt)
     (
         contactBudget(), energyBudget::contact, &energyBudget::potential
     );
-    contact_.limitPosition();
+    contact_.limitPosition(t);
 }
 
 

@@ -28,8 +28,8 @@ static void cornerChecks(tally& t, const int D)
         cloud.x().component(k)[0] = (0.1 + 0.02*k)*where.dx;
         cloud.v().component(k)[0] = -1;
     }
-    library.rates.updateNeighbours();
-    library.contact.limitVelocity(linearMap());
+    library.rates.updateNeighbours(0);
+    library.contact.limitVelocity(0, 0, linearMap());
 
     scalar fastest = GREAT;
     for (label i = 0; i < cloud.size(); ++i)

@@ -258,7 +258,7 @@ static void fallChecks(tally& t)
     for (int i = 0; i < 30; ++i)
     {
         move(library, [&](int) { return vec(0, -0.25*where.dx, 0); });
-        library.rates.updateNeighbours();
+        library.rates.updateNeighbours(0);
     }
     library.evaluate();
     t.check(where.name + " fallen drop meets walls", library.wall.size() > 0);
@@ -273,7 +273,7 @@ static void splitChecks(tally& t, const scene& where)
     const modelChoice& choice = choices[0];
     rig library(room, where.properties(false) + choice.properties, where.state);
 
-    library.rates.updateNeighbours();
+    library.rates.updateNeighbours(0);
     library.rates.geometry(0);
     library.rates.force(0, true);
 
@@ -369,7 +369,7 @@ static void aheadChecks(tally& t, const int D)
             "shifting none; freeSurface none;" + (turns ? turning : ""),
             state
         );
-        library.rates.updateNeighbours();
+        library.rates.updateNeighbours(0);
         library.rates.geometry(0, ahead);
 
         deviation div;

@@ -67,14 +67,15 @@ Foam::rig::rig
     weight_(dict_, where.mesh.nGeometricD(), dict_.get<scalar>("dx")),
     search_(where.mesh),
     motion_(dict_, where.mesh),
+    bodies_(dict_, search_, dict_.get<scalar>("dx")),
     cloud(where.mesh, shared(dict_, weight_), wordRes()),
     models(dict_, cloud),
     wall
     (
-        cloud, search_, *models.boundary, *models.force, motion_, *models.state
+        cloud, bodies_, *models.boundary, *models.force, motion_, *models.state
     ),
     neighbours(cloud, wall, weight_, dict_.getOrDefault<scalar>("skin", 0.2)),
-    contact(cloud, search_),
+    contact(cloud, bodies_),
     plan(models, cloud),
     rates(cloud, models, plan, wall, neighbours, contact, times)
 {
@@ -150,7 +151,7 @@ Foam::fluidState Foam::fluidState::rotated(const mat& R) const
 
 void Foam::rig::evaluate()
 {
-    rates.updateNeighbours();
+    rates.updateNeighbours(0);
     rates.geometry(0);
     rates.force(0, false);
 }

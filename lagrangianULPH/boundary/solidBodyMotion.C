@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "tankMotion.H"
+#include "solidBodyMotion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -33,7 +33,7 @@ static dictionary clockControls()
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::FixedList<Foam::tankMotion::place, 5> Foam::tankMotion::around
+Foam::FixedList<Foam::solidBodyMotion::place, 5> Foam::solidBodyMotion::around
 (
     const scalar t
 ) const
@@ -48,7 +48,7 @@ Foam::FixedList<Foam::tankMotion::place, 5> Foam::tankMotion::around
 
 
 template<class Type>
-Type Foam::tankMotion::rate(const FixedList<place, 5>& all, Type place::*x)
+Type Foam::solidBodyMotion::rate(const FixedList<place, 5>& all, Type place::*x)
 {
     return
         (8*(all[3].*x - all[1].*x) - (all[4].*x - all[0].*x))/(12*interval);
@@ -56,7 +56,7 @@ Type Foam::tankMotion::rate(const FixedList<place, 5>& all, Type place::*x)
 
 
 template<class Type>
-Type Foam::tankMotion::secondRate(const FixedList<place, 5>& all, Type place::*x)
+Type Foam::solidBodyMotion::secondRate(const FixedList<place, 5>& all, Type place::*x)
 {
     return
         (
@@ -67,7 +67,7 @@ Type Foam::tankMotion::secondRate(const FixedList<place, 5>& all, Type place::*x
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::tankMotion::tankMotion(const dictionary& dict, const polyMesh& mesh)
+Foam::solidBodyMotion::solidBodyMotion(const dictionary& dict, const polyMesh& mesh)
 :
     mesh_(mesh),
     dict_(dict),
@@ -88,10 +88,10 @@ Foam::tankMotion::tankMotion(const dictionary& dict, const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
+Foam::solidBodyMotion::place Foam::solidBodyMotion::at(const scalar t) const
 {
     septernion motion;
-    #pragma omp critical(tankMotion)
+    #pragma omp critical(solidBodyMotion)
     {
         clock_.setTime(t - t0_, 0);
         motion = function_->transformation();
@@ -108,7 +108,7 @@ Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
         {
             FatalIOErrorInFunction(dict_)
                 << "solidBodyMotionFunction " << function_->type()
-                << " turns the tank out of the plane of the flow at time " << t
+                << " turns the walls out of the plane of the flow at time " << t
                 << " s." << nl
                 << "    Choose an axis across the empty patches, or a "
                 << "motion that does not turn, for instance "
@@ -124,28 +124,42 @@ Foam::tankMotion::place Foam::tankMotion::at(const scalar t) const
 }
 
 
-Foam::linearMap Foam::tankMotion::velocity(const scalar t) const
+Foam::linearMap Foam::solidBodyMotion::groundVelocity(const scalar t) const
 {
     const FixedList<place, 5> all(around(t));
-    const tensor toTank(all[2].axes.T());
+    return {rate(all, &place::origin), rate(all, &place::axes), tensor::zero};
+}
+
+
+Foam::linearMap Foam::solidBodyMotion::groundAcceleration(const scalar t) const
+{
+    const FixedList<place, 5> all(around(t));
     return
     {
-        toTank & rate(all, &place::origin),
-        toTank & rate(all, &place::axes),
+        secondRate(all, &place::origin),
+        secondRate(all, &place::axes),
         tensor::zero
     };
 }
 
 
-Foam::linearMap Foam::tankMotion::inertia(const scalar t) const
+Foam::linearMap Foam::solidBodyMotion::velocity(const scalar t) const
 {
-    const FixedList<place, 5> all(around(t));
-    const tensor toTank(all[2].axes.T());
+    const tensor toBody(rotation(t).T());
+    const linearMap v(groundVelocity(t));
+    return {toBody & v.constant, toBody & v.perLength, tensor::zero};
+}
+
+
+Foam::linearMap Foam::solidBodyMotion::inertia(const scalar t) const
+{
+    const tensor toBody(rotation(t).T());
+    const linearMap a(groundAcceleration(t));
     return
     {
-        -(toTank & secondRate(all, &place::origin)),
-        -(toTank & secondRate(all, &place::axes)),
-        -2*(toTank & rate(all, &place::axes))
+        -(toBody & a.constant),
+        -(toBody & a.perLength),
+        -2*(toBody & groundVelocity(t).perLength)
     };
 }
 
