@@ -8,6 +8,7 @@
 #include "inputChecks.H"
 #include "particleLattice.H"
 #include "pointGrid.H"
+#include "Random.H"
 #include "regionSelection.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -22,6 +23,22 @@ constexpr scalar wallGap = 0.25;
 
 //- Particles of two regions nearer than this overlap, over dx
 constexpr scalar regionGap = 0.9;
+
+//- Components from -1 to 1 that follow from the place alone
+vector randomVector(const point& place, const scalar dx)
+{
+    // Round-off must not choose others
+    const vector rounded(1e3*place/dx);
+    const FixedList<int64_t, 3> key
+    ({
+        std::llround(rounded.x()),
+        std::llround(rounded.y()),
+        std::llround(rounded.z())
+    });
+    Random random(label(Hasher(key.cdata(), sizeof(key)) >> 1));
+    const vector first(random.sample01<vector>());
+    return 2*first - vector::one;
+}
 
 } // End anonymous namespace
 
@@ -92,12 +109,18 @@ void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
     refuseMisspelt
     (
         regionDict,
-        {"source", "sourceInfo", "field", "lattice", "velocity", "pressure"}
+        {
+            "source", "sourceInfo", "field", "lattice", "jitter", "velocity",
+            "pressure"
+        }
     );
 
     const regionSelection region(mesh_, regionDict);
     const autoPtr<particleLattice> lattice =
         particleLattice::New(regionDict, search_, dx_);
+
+    const scalar jitter =
+        dx_*getInRange(regionDict, "jitter", 0, scalarMinMax(0, 0.5));
 
     const label start = size();
     label nHeld = 0, nInside = 0;
@@ -117,6 +140,17 @@ void Foam::fluidLattice::fill(const dictionary& regionDict, const label regioni)
                 ++nInside;
 
                 point place(places[i]);
+                if (jitter > 0)
+                {
+                    const point moved
+                    (
+                        search_.onMidPlane
+                        (
+                            place + jitter*randomVector(place, dx_)
+                        )
+                    );
+                    if (search_.contains(moved)) place = moved;
+                }
 
                 if (!clearOfWalls(place)) continue;
 

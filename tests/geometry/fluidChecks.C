@@ -200,6 +200,47 @@ void offWalls(tally& t)
 }
 
 
+//- Jittered places stay near those of the lattice, spread evenly about them, and
+//  come out the same each time
+void jittered(tally& t)
+{
+    testCase c("box2D");
+    const std::string column
+    (
+        "dx 0.01; regions { column { source boxToPoint;"
+        " box (0 0 -9) (0.6 0.3 9); "
+    );
+    const fluidLattice lattice(c.mesh, c.search, parse(column + "} }"));
+    const fluidLattice fluid(c.mesh, c.search, parse(column + "jitter 0.2; } }"));
+    const fluidLattice again(c.mesh, c.search, parse(column + "jitter 0.2; } }"));
+
+    vector mean(Zero), squares(Zero);
+    scalar farthest = 0;
+    forAll(fluid.position(), i)
+    {
+        const vector d((fluid.position()[i] - lattice.position()[i])/0.01);
+        mean += d/fluid.size();
+        squares += cmptMultiply(d, d)/fluid.size();
+        farthest = max(farthest, cmptMax(cmptMag(d)));
+    }
+    t.check
+    (
+        fluid.size() == lattice.size()
+     && fluid.position() == again.position()
+     && farthest < 0.2 && cmptMax(cmptMag(mean)) < 0.01,
+        "jitter: at most " + text(farthest) + " dx, mean " + text(cmptMax(mean))
+    );
+
+    // Of even spread over [-0.2, 0.2]: 0.2^2/3
+    t.check
+    (
+        mag(squares.x() - 0.0133) < 1e-3 && mag(squares.y() - 0.0133) < 1e-3
+     && squares.z() == 0,
+        "jitter: mean squares " + text(squares.x()) + ", " + text(squares.y())
+    );
+}
+
+
 void rings(tally& t)
 {
     testCase c("box2D");
@@ -264,6 +305,7 @@ void Foam::fluidChecks(tally& t)
     fromField(t);
     turned(t);
     offWalls(t);
+    jittered(t);
     rings(t);
     box3D(t);
 }
