@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    ulphFoam: free-surface flow with updated Lagrangian particles
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Which wall particles there are, and where.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallLayer.H"
+
+#include "pointGrid.H"
+#include "symmetric.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Bounds of a box that is moved
+static boundBox moved(const boundBox& box, const linearMap& map)
+{
+    pointField corners(box.points());
+    for (point& corner : corners)
+    {
+        corner = map(corner);
+    }
+    return boundBox(corners, false);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::wallLayer::markOccupied
+(
+    const ulph::cellGrid& fluid,
+    const scalar reach
+)
+{
+    const ulph::cellLayout& cells = fluid.layout();
+    const std::array<int, 3> n{cells.extent(0), cells.extent(1), cells.extent(2)};
+    const auto index = [&](const int i, const int j, const int k)
+    {
+        return (std::size_t(k)*n[1] + j)*n[0] + i;
+    };
+
+    occupied_.assign(cells.nCells(), 0);
+    for (int k = 0; k < n[2]; ++k)
+    {
+        for (int j = 0; j < n[1]; ++j)
+        {
+            for (int i = 0; i < n[0]; ++i)
+            {
+                const int r = cells.rank(i, j, k);
+                occupied_[index(i, j, k)] = fluid.first(r + 1) > fluid.first(r);
+            }
+        }
+    }
+
+    // Spread by the reach, one direction after the other
+    const int width = int(std::ceil(reach/cells.size()));
+    const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0])*n[1]};
+    std::vector<unsigned char> line;
+    for (int d = 0; d < cells.D(); ++d)
+    {
+        const int e = (d + 1)%3;
+        const int f = (d + 2)%3;
+        line.resize(n[d]);
+        for (int b = 0; b < n[f]; ++b)
+        {
+            for (int a = 0; a < n[e]; ++a)
+            {
+                unsigned char* const cell =
+                    occupied_.data() + a*stride[e] + b*stride[f];
+                int last = -width - 1;
+                for (int i = 0; i < n[d]; ++i)
+                {
+                    last = cell[i*stride[d]] ? i : last;
+                    line[i] = i - last <= width;
+                }
+                last = n[d] + width;
+                for (int i = n[d] - 1; i >= 0; --i)
+                {
+                    last = cell[i*stride[d]] ? i : last;
+                    line[i] |= last - i <= width;
+                }
+                for (int i = 0; i < n[d]; ++i)
+                {
+                    cell[i*stride[d]] = line[i];
+                }
+            }
+        }
+    }
+}
+
+
+bool Foam::wallLayer::inReach
+(
+    const ulph::cellLayout& cells,
+    const boundBox& box
+) const
+{
+    std::array<int, 3> lower{0, 0, 0};
+    std::array<int, 3> upper{0, 0, 0};
+    for (int k = 0; k < cells.D(); ++k)
+    {
+        lower[k] = cells.coordinate(k, box.min()[cloud_.axis(k)]);
+        upper[k] = cells.coordinate(k, box.max()[cloud_.axis(k)]);
+    }
+    for (int k = lower[2]; k <= upper[2]; ++k)
+    {
+        for (int j = lower[1]; j <= upper[1]; ++j)
+        {
+            const unsigned char* const row =
+                occupied_.data()
+              + (std::size_t(k)*cells.extent(1) + j)*cells.extent(0);
+            if
+            (
+                std::find(row + lower[0], row + upper[0] + 1, 1)
+             != row + upper[0] + 1
+            )
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
+void Foam::wallLayer::gather(const ulph::cellLayout& cells)
+{
+    // As near to each other as particles of one body may be
+    pointGrid before(0.7*cloud_.dx());
+
+    forAll(bodies_, b)
+    {
+        if (!bodies_[b].hasWalls())
+        {
+            continue;
+        }
+        const wallParticleSet& all = bodies_[b].particles().active();
+        const linearMap& toGround = placed_[b].toGround;
+
+        std::vector<label> chosen;
+        for (label i = 0; i < all.size(); ++i)
+        {
+            const point p(toGround(all.position[i]));
+            if (inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p)))
+            {
+                chosen.push_back(i);
+            }
+        }
+        append(b, all, chosen);
+        if (b < bodies_.size() - 1)
+        {
+            for (const label i : chosen)
+            {
+                before.append(toGround(all.position[i]));
+            }
+        }
+    }
+}
+
+
+void Foam::wallLayer::append
+(
+    const label body,
+    const wallParticleSet& all,
+    const std::vector<label>& chosen
+)
+{
+    const wallBody::placement& place = placed_[body];
+    const label first = size();
+
+    body_.resize(first + chosen.size(), body);
+    for (particleField* field : {&x_, &volume_, &reflection_})
+    {
+        field->resize(label(body_.size()));
+    }
+    for (label i = first; i < size(); ++i)
+    {
+        const label from = chosen[i - first];
+        const point p(place.toGround(all.position[from]));
+        const symmTensor R
+        (
+            bodies_[body].moves()
+          ? transform(place.toGround.perLength, all.reflection[from])
+          : all.reflection[from]
+        );
+        volume_.set(i, 0, all.volume[from]);
+        put(i, p, R);
+    }
+}
+
+
+Foam::symmTensor Foam::wallLayer::reflection(const label i) const
+{
+    const int D = cloud_.D();
+    symmTensor R(symmTensor::I);
+    for (int k = 0; k < D; ++k)
+    {
+        for (int l = k; l < D; ++l)
+        {
+            R[ulph::symmetricIndex(3, cloud_.axis(k), cloud_.axis(l))] =
+                reflection_(i, ulph::symmetricIndex(D, k, l));
+        }
+    }
+    return R;
+}
+
+
+void Foam::wallLayer::put(const label i, const point& p, const symmTensor& R)
+{
+    const int D = cloud_.D();
+    for (int k = 0; k < D; ++k)
+    {
+        x_.set(i, k, p[cloud_.axis(k)]);
+        for (int l = k; l < D; ++l)
+        {
+            reflection_.set
+            (
+                i,
+                ulph::symmetricIndex(D, k, l),
+                R[ulph::symmetricIndex(3, cloud_.axis(k), cloud_.axis(l))]
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::wallLayer::move(const scalar t)
+{
+    bodies_.setTime(t);
+    for (label b = 1; b < bodies_.size(); ++b)
+    {
+        const wallBody::placement& now = bodies_[b].now();
+        const linearMap moved(now.toGround.after(placed_[b].toBody));
+        for (label i = 0; i < size(); ++i)
+        {
+            if (body_[i] != b)
+            {
+                continue;
+            }
+            put
+            (
+                i, moved(position(i)), transform(moved.perLength, reflection(i))
+            );
+        }
+        placed_[b] = now;
+    }
+}
+
+
+Foam::scalar Foam::wallLayer::way() const
+{
+    scalar longest = 0;
+    forAll(bodies_, b)
+    {
+        longest = max(longest, bodies_[b].way(updated_[b]));
+    }
+    return longest;
+}
+
+
+Foam::wallSearch::wallPoint Foam::wallLayer::nearest(const label i) const
+{
+    const wallBody::placement& place = placed_[body_[i]];
+    wallSearch::wallPoint found
+    (
+        bodies_[body_[i]].nearestOnBody(place.toBody(position(i)), GREAT)
+    );
+    found.position = place.toGround(found.position);
+    found.normal = place.toGround.perLength & found.normal;
+    return found;
+}
+
+
+void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
+{
+    if (!any())
+    {
+        return;
+    }
+    const ulph::cellLayout& cells = fluid.layout();
+    markOccupied(fluid, reach);
+    forAll(bodies_, b)
+    {
+        if (!bodies_[b].hasWalls())
+        {
+            continue;
+        }
+        const linearMap& toGround = placed_[b].toGround;
+        bodies_[b].particles().update
+        (
+            [&](const boundBox& box)
+            {
+                return inReach
+                (
+                    cells,
+                    bodies_[b].moves() ? moved(box, toGround) : box
+                );
+            }
+        );
+    }
+    body_.clear();
+    for (particleField* field : {&x_, &volume_, &reflection_})
+    {
+        field->reset(0);
+    }
+    gather(cells);
+    updated_ = placed_;
+
+    for (particleField* field : {&v_, &viscousV_, &densityExcess_, &bodyForce_})
+    {
+        field->reset(size());
+    }
+}
+
+
+void Foam::wallLayer::permute(const std::vector<int>& order)
+{
+    x_.permute(order);
+    volume_.permute(order);
+    reflection_.permute(order);
+    const std::vector<int> before(body_);
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+        body_[i] = before[order[i]];
+    }
+}
+
+
+// ************************************************************************* //
