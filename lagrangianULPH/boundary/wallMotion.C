@@ -5,6 +5,35 @@
 
 #include "wallMotion.H"
 
+#include "inputChecks.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::wallMotion::wallMotion
+(
+    const dictionary& ulphProperties,
+    const polyMesh& mesh
+)
+{
+    const dictionary dict(ulphProperties.subOrEmptyDict("wallMotion"));
+    if (!dict.found("bodies"))
+    {
+        if (dict.size())
+        {
+            motion_.reset(new solidBodyMotion(dict, mesh));
+        }
+    }
+    else if (dict.found("solidBodyMotionFunction"))
+    {
+        FatalIOErrorInFunction(entryPlace(dict, "solidBodyMotionFunction"))
+            << "Either the tank moves as a whole or bodies of its walls do." << nl
+            << "    Leave out solidBodyMotionFunction, or bodies; see the tank from"
+            << " itself by bodyForce { type tankMotion; ... } to have both."
+            << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::linearMap Foam::wallMotion::seen
