@@ -15,7 +15,6 @@ void Foam::wallBody::makeParticles(const scalar dx)
     }
     particles_.reset(new wallParticles(search_, dx));
     bounds_ = boundBox(search_.boundary().tree().points(), false);
-    bounds_.inflate(0);
     const vector layers(vector::uniform(2*wallParticles::nLayers*dx));
     bounds_.min() -= layers;
     bounds_.max() += layers;
