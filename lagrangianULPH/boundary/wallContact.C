@@ -9,11 +9,18 @@
 
 Foam::scalar Foam::wallContact::height(const plane& wall) const
 {
-    const point place(cloud_.position(wall.particle));
     const wallBody& body = bodies_[wall.body];
-    return
-        ((body.moves() ? body.now().toBody(place) : place) & wall.normal)
-      - wall.offset;
+    if (body.moves())
+    {
+        const point place(body.now().toBody(cloud_.position(wall.particle)));
+        return (place & wall.normal) - wall.offset;
+    }
+    scalar s = -wall.offset;
+    for (int k = 0; k < cloud_.D(); ++k)
+    {
+        s += cloud_.x().component(k)[wall.particle]*wall.normal[cloud_.axis(k)];
+    }
+    return s;
 }
 
 

@@ -32,6 +32,36 @@ void Foam::wallLayer::wallVelocity
 }
 
 
+void Foam::wallLayer::addTurning
+(
+    const ulph::interpolationBlock& sums,
+    ulph::laneRow* fluid
+) const
+{
+    for (int l = 0; l < sums.count; ++l)
+    {
+        if (sums.w[l] <= VSMALL)
+        {
+            continue;
+        }
+        const label i = sums.first - firstRecord + l;
+        const tensor gradient
+        (
+            velocity_.perLength + bodyVelocity_[body_[i]].perLength
+        );
+        for (int k = 0; k < cloud_.D(); ++k)
+        {
+            for (int m = 0; m < cloud_.D(); ++m)
+            {
+                fluid[k][l] -=
+                    gradient(cloud_.axis(k), cloud_.axis(m))
+                   *sums.x[m][l]/sums.w[l];
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::wallLayer::wallLayer
@@ -100,6 +130,11 @@ void Foam::wallLayer::setTime(const scalar t, const scalar tVelocity)
         bodyVelocity_[b] = bodies_[b].velocity(tVelocity);
         acceleration[b] = bodies_[b].acceleration(t);
     }
+    turns_ = velocity_.perLength != tensor::zero;
+    for (const linearMap& v : bodyVelocity_)
+    {
+        turns_ = turns_ || v.perLength != tensor::zero;
+    }
     const linearMap force(forceAtRest(t));
     forTiles(size(), [&](const label first, const label count)
     {
@@ -145,24 +180,10 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
         {
             fluid[k][l] = wet ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
         }
-
-        // What turns has another velocity where the averaged fluid is
-        const tensor turns
-        (
-            velocity_.perLength + bodyVelocity_[body_[first + l]].perLength
-        );
-        if (wet && turns != tensor::zero)
-        {
-            for (int k = 0; k < D; ++k)
-            {
-                for (int m = 0; m < D; ++m)
-                {
-                    fluid[k][l] -=
-                        turns(cloud_.axis(k), cloud_.axis(m))
-                       *sums.x[m][l]/sums.w[l];
-                }
-            }
-        }
+    }
+    if (turns_)
+    {
+        addTurning(sums, fluid);
     }
 
     state_.pressure(sums.count, rho1, p);
