@@ -135,6 +135,8 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
     // As near to each other as particles of one body may be
     pointGrid before(0.7*cloud_.dx());
 
+    std::vector<label> chosen;
+    body_.clear();
     forAll(bodies_, b)
     {
         if (!bodies_[b].hasWalls())
@@ -142,56 +144,39 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
             continue;
         }
         const wallParticleSet& all = bodies_[b].particles().active();
-        const linearMap& toGround = placed_[b].toGround;
-
-        std::vector<label> chosen;
+        const std::size_t first = chosen.size();
         for (label i = 0; i < all.size(); ++i)
         {
-            const point p(toGround(all.position[i]));
+            const point p(placed_[b].toGround(all.position[i]));
             if (inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p)))
             {
                 chosen.push_back(i);
             }
         }
-        append(b, all, chosen);
-        if (b < bodies_.size() - 1)
+        body_.resize(chosen.size(), b);
+        for (std::size_t i = first; b + 1 < bodies_.size() && i < chosen.size(); ++i)
         {
-            for (const label i : chosen)
-            {
-                before.append(toGround(all.position[i]));
-            }
+            before.append(placed_[b].toGround(all.position[chosen[i]]));
         }
     }
-}
 
-
-void Foam::wallLayer::append
-(
-    const label body,
-    const wallParticleSet& all,
-    const std::vector<label>& chosen
-)
-{
-    const wallBody::placement& place = placed_[body];
-    const label first = size();
-
-    body_.resize(first + chosen.size(), body);
+    const label n = label(chosen.size());
     for (particleField* field : {&x_, &volume_, &reflection_})
     {
-        field->resize(label(body_.size()));
+        field->reset(n);
     }
-    for (label i = first; i < size(); ++i)
+    for (label i = 0; i < n; ++i)
     {
-        const label from = chosen[i - first];
-        const point p(place.toGround(all.position[from]));
-        const symmTensor R
+        const wallParticleSet& all = bodies_[body_[i]].particles().active();
+        const linearMap& toGround = placed_[body_[i]].toGround;
+        const symmTensor& R = all.reflection[chosen[i]];
+        volume_.set(i, 0, all.volume[chosen[i]]);
+        put
         (
-            bodies_[body].moves()
-          ? transform(place.toGround.perLength, all.reflection[from])
-          : all.reflection[from]
+            i,
+            toGround(all.position[chosen[i]]),
+            bodies_[body_[i]].moves() ? transform(toGround.perLength, R) : R
         );
-        volume_.set(i, 0, all.volume[from]);
-        put(i, p, R);
     }
 }
 
@@ -307,11 +292,6 @@ void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
             }
         );
     }
-    body_.clear();
-    for (particleField* field : {&x_, &volume_, &reflection_})
-    {
-        field->reset(0);
-    }
     gather(cells);
     updated_ = placed_;
 
@@ -327,10 +307,13 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
     x_.permute(order);
     volume_.permute(order);
     reflection_.permute(order);
-    const std::vector<int> before(body_);
-    for (std::size_t i = 0; i < order.size(); ++i)
+    if (bodies_.size() > 1)
     {
-        body_[i] = before[order[i]];
+        const std::vector<int> before(body_);
+        for (std::size_t i = 0; i < order.size(); ++i)
+        {
+            body_[i] = before[order[i]];
+        }
     }
 }
 
