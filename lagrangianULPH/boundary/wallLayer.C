@@ -62,6 +62,36 @@ void Foam::wallLayer::addTurning
 }
 
 
+void Foam::wallLayer::depthOverHeight
+(
+    const ulph::interpolationBlock& sums,
+    const ulph::laneRow* R,
+    ulph::laneRow& ratio
+) const
+{
+    const int D = cloud_.D();
+    // Nearer fluid is in contact and follows the wall
+    const scalar least = 0.25*cloud_.dx();
+
+    ulph::laneRow depth;
+    depth_.load(0, sums.first - firstRecord, sums.count, depth);
+    for (int l = 0; l < sums.count; ++l)
+    {
+        scalar apart = 0;
+        for (int k = 0; k < D && sums.w[l] > VSMALL; ++k)
+        {
+            scalar twiceNormal = sums.x[k][l];
+            for (int m = 0; m < D; ++m)
+            {
+                twiceNormal -= R[ulph::symmetricIndex(D, k, m)][l]*sums.x[m][l];
+            }
+            apart += sqr(0.5*twiceNormal/sums.w[l]);
+        }
+        ratio[l] = depth[l]/max(std::sqrt(apart) - depth[l], least);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::wallLayer::wallLayer
@@ -83,6 +113,7 @@ Foam::wallLayer::wallLayer
     x_(cloud.D(), false),
     volume_(1, cloud.shared().mixed),
     reflection_(ulph::nSymmetric(cloud.D()), cloud.shared().mixed),
+    depth_(1, cloud.shared().mixed),
     v_(cloud.D(), cloud.shared().mixed),
     viscousV_(cloud.D(), cloud.shared().mixed),
     densityExcess_(1, false),
@@ -210,15 +241,19 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     }
     state_.densityExcess(sums.count, p, rho1);
 
+    ulph::laneRow ratio;
+    depthOverHeight(sums, R, ratio);
     for (int k = 0; k < D; ++k)
     {
         for (int l = 0; l < sums.count; ++l)
         {
-            v[k][l] = 0;
+            scalar reflected = 0;
             for (int m = 0; m < D; ++m)
             {
-                v[k][l] += R[ulph::symmetricIndex(D, k, m)][l]*fluid[m][l];
+                reflected += R[ulph::symmetricIndex(D, k, m)][l]*fluid[m][l];
             }
+            const scalar normal = 0.5*(fluid[k][l] - reflected);
+            v[k][l] = fluid[k][l] - (1 + ratio[l])*normal;
         }
     }
     model_.viscousVelocity(sums.count, fluid, v, viscousV);

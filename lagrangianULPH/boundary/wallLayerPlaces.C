@@ -161,7 +161,7 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
     }
 
     const label n = label(chosen.size());
-    for (particleField* field : {&x_, &volume_, &reflection_})
+    for (particleField* field : {&x_, &volume_, &reflection_, &depth_})
     {
         field->reset(n);
     }
@@ -171,6 +171,7 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
         const linearMap& toGround = placed_[body_[i]].toGround;
         const symmTensor& R = all.reflection[chosen[i]];
         volume_.set(i, 0, all.volume[chosen[i]]);
+        depth_.set(i, 0, all.depth[chosen[i]]);
         put
         (
             i,
@@ -307,6 +308,7 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
     x_.permute(order);
     volume_.permute(order);
     reflection_.permute(order);
+    depth_.permute(order);
     if (bodies_.size() > 1)
     {
         const std::vector<int> before(body_);

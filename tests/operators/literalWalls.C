@@ -45,6 +45,7 @@ void Foam::literal::setWalls()
         double rho1 = 0;
         double balance = 0;
         vec v(vec::Zero());
+        vec apart(vec::Zero());
         forNeighbours
         (
             W, fluid, [&](const particle& F, const vec& x, double, double w)
@@ -52,6 +53,7 @@ void Foam::literal::setWalls()
                 // x points from the wall particle to the fluid
                 sumW += w;
                 v += w*F.v;
+                apart += w*x;
                 rho1 += w*(F.rho - rho0_);
                 balance -= w*F.rho*f.dot(x);
             }
@@ -59,6 +61,7 @@ void Foam::literal::setWalls()
         if (sumW > 0)
         {
             v /= sumW;
+            apart /= sumW;
 
             // A wall does not hold fluid without pressure
             W.p = pressure(rho0_ + rho1/sumW);
@@ -76,7 +79,11 @@ void Foam::literal::setWalls()
                 );
             }
         }
-        W.v = reflection*v;
+        // Linear in the distance from the wall
+        const mat N(0.5*(mat::Identity() - reflection));
+        const vec behind(N*rig_.solved(set.distance[i]*set.normal[i]));
+        const double height = (N*apart).norm() - behind.norm();
+        W.v = v - (1 + behind.norm()/std::max(height, 0.25*dx_))*(N*v);
         W.viscousV = c_.noSlip ? vec(-v) : W.v;
         W.rho = density(W.p);
         W.gradRho = rho0_/sqr(c0_)*f;

@@ -414,6 +414,7 @@ void Foam::operatorChecks(tally& t)
     aheadChecks(t, 3);
     fallChecks(t);
     linearChecks(t);
+    stagnationChecks(t);
     latticeChecks(t);
 }
 
