@@ -70,8 +70,27 @@ void Foam::functionObjects::ulphProbes::makeFace(const dictionary& dict)
 }
 
 
-Foam::scalarList
-Foam::functionObjects::ulphProbes::fit(const neighbours& near, const vector& offset) const
+Foam::scalar Foam::functionObjects::ulphProbes::wallPressure
+(
+    const point& where,
+    const scalar mean,
+    const vector& offset
+) const
+{
+    const scalar t = time_.value();
+    const vector f(motion_.atRest(models().force->at(t), t)(where));
+    const scalar balance = -particles().rho0()*(f & offset);
+    // A wall does not hold fluid without pressure
+    return mean <= 0 && balance < 0 ? mean : mean + balance;
+}
+
+
+Foam::scalarList Foam::functionObjects::ulphProbes::fit
+(
+    const point& where,
+    const neighbours& near,
+    const vector& offset
+) const
 {
     // Below this part of the largest eigenvalue of A it is not inverted
     constexpr scalar determined = 1e-3;
@@ -139,6 +158,15 @@ Foam::functionObjects::ulphProbes::fit(const neighbours& near, const vector& off
         {
             values[c + 1] = f[c];
         }
+        if (diameter_ > 0)
+        {
+            vector mean(Zero);
+            for (int k = 0; k < D; ++k)
+            {
+                mean[cloud.axis(k)] = cloud.h()*A(0, k + 1)/A(0, 0);
+            }
+            values[1] = wallPressure(where + offset, sums(0, 0)/A(0, 0), mean);
+        }
     }
     return values;
 }
@@ -164,7 +192,7 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
     scalarList mean(5, Zero);
     forAll(faceOffsets_, s)
     {
-        scalarList values(fit(near, faceOffsets_[s]));
+        scalarList values(fit(where, near, faceOffsets_[s]));
         if (diameter_ > 0 && values[0] < wet)
         {
             // A part of it is covered, and what is dry does not pull
@@ -193,7 +221,8 @@ Foam::functionObjects::ulphProbes::ulphProbes
     const dictionary& dict
 )
 :
-    ulphPointSamples(name, runTime, dict, typeName)
+    ulphPointSamples(name, runTime, dict, typeName),
+    motion_(models().dict, mesh_)
 {
     read(dict);
     start();
