@@ -70,8 +70,9 @@ void Foam::wallLayer::depthOverHeight
 ) const
 {
     const int D = cloud_.D();
-    // Nearer fluid is in contact and follows the wall
-    const scalar least = 0.25*cloud_.dx();
+    // Fluid keeps half a spacing off; held to what single particles nearer than
+    // that do, walls are too stiff for the time step
+    const scalar least = 0.5*cloud_.dx();
 
     ulph::laneRow depth;
     depth_.load(0, sums.first - firstRecord, sums.count, depth);

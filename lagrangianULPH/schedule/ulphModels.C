@@ -53,7 +53,7 @@ static const char* const paperMode =
     "timeIntegration    predictorCorrector;";
 
 static const char* const stillWalls =
-    "viscosity          { type artificial; alpha 0.005; }";
+    "viscosity          { type artificial; alpha 0.002; }";
 
 static const char* const inviscid =
     "viscosity          none;";

@@ -83,7 +83,7 @@ void Foam::literal::setWalls()
         const mat N(0.5*(mat::Identity() - reflection));
         const vec behind(N*rig_.solved(set.distance[i]*set.normal[i]));
         const double height = (N*apart).norm() - behind.norm();
-        W.v = v - (1 + behind.norm()/std::max(height, 0.25*dx_))*(N*v);
+        W.v = v - (1 + behind.norm()/std::max(height, 0.5*dx_))*(N*v);
         W.viscousV = c_.noSlip ? vec(-v) : W.v;
         W.rho = density(W.p);
         W.gradRho = rho0_/sqr(c0_)*f;
