@@ -24,10 +24,9 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::ulphProbes::makeFace(const dictionary& dict)
+void Foam::functionObjects::ulphProbes::makeFace(const vector& n)
 {
     const ulphCloud& cloud = particles();
-    const vector n(unitDirection(dict, "normal", dict.get<vector>("normal")));
     const scalar radius = 0.5*diameter_;
 
     // Squares, or strips, of at most dx/2
@@ -158,7 +157,7 @@ Foam::scalarList Foam::functionObjects::ulphProbes::fit
         {
             values[c + 1] = f[c];
         }
-        if (diameter_ > 0)
+        if (inWall_)
         {
             vector mean(Zero);
             for (int k = 0; k < D; ++k)
@@ -193,7 +192,7 @@ Foam::scalarList Foam::functionObjects::ulphProbes::valuesAt(const point& where)
     forAll(faceOffsets_, s)
     {
         scalarList values(fit(where, near, faceOffsets_[s]));
-        if (diameter_ > 0 && values[0] < wet)
+        if (inWall_ && values[0] < wet)
         {
             // A part of it is covered, and what is dry does not pull
             values[1] = max(values[1], scalar(0));
@@ -243,9 +242,17 @@ bool Foam::functionObjects::ulphProbes::read(const dictionary& dict)
         dict.found("diameter")
       ? getInRange(dict, "diameter", scalarMinMax::ge(SMALL))
       : 0;
-    if (diameter_ > 0)
+    inWall_ = dict.found("normal") || diameter_ > 0;
+    if (inWall_)
     {
-        makeFace(dict);
+        const vector normal
+        (
+            unitDirection(dict, "normal", dict.get<vector>("normal"))
+        );
+        if (diameter_ > 0)
+        {
+            makeFace(normal);
+        }
     }
 
     return ulphFunctionObject::read(dict);

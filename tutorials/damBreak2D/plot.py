@@ -91,7 +91,7 @@ def frontPicture(cases, file):
         label="Martin & Moyce 1952, base H/2",
     )
     for mode, case in cases.items():
-        alpha = case.entry("viscosity/alpha", default=0.005)
+        alpha = case.entry("viscosity/alpha", default=0.002)
         label = TITLES[mode]
         axes.plot(
             *fronts(case),
