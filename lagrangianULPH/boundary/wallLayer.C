@@ -16,17 +16,16 @@ void Foam::wallLayer::wallVelocity
     ulph::laneRow* v
 ) const
 {
-    velocity_.rows(cloud_, x_, nullptr, first, count, v);
-    for (label l = 0; bodies_.size() > 1 && l < count; ++l)
+    for (label l = 0; l < count; ++l)
     {
-        const int body = body_[first + l];
-        if (bodies_[body].moves())
+        vector own(Zero);
+        if (bodies_[body_[first + l]].moves())
         {
-            const vector own(bodyVelocity_[body](position(first + l)));
-            for (int k = 0; k < cloud_.D(); ++k)
-            {
-                v[k][l] += own[cloud_.axis(k)];
-            }
+            own = bodyVelocity_[body_[first + l]](position(first + l));
+        }
+        for (int k = 0; k < cloud_.D(); ++k)
+        {
+            v[k][l] = own[cloud_.axis(k)];
         }
     }
 }
@@ -45,10 +44,7 @@ void Foam::wallLayer::addTurning
             continue;
         }
         const label i = sums.first - firstRecord + l;
-        const tensor gradient
-        (
-            velocity_.perLength + bodyVelocity_[body_[i]].perLength
-        );
+        const tensor& gradient = bodyVelocity_[body_[i]].perLength;
         for (int k = 0; k < cloud_.D(); ++k)
         {
             for (int m = 0; m < cloud_.D(); ++m)
@@ -162,11 +158,6 @@ void Foam::wallLayer::setTime(const scalar t, const scalar tVelocity)
         bodyVelocity_[b] = bodies_[b].velocity(tVelocity);
         acceleration[b] = bodies_[b].acceleration(t);
     }
-    turns_ = velocity_.perLength != tensor::zero;
-    for (const linearMap& v : bodyVelocity_)
-    {
-        turns_ = turns_ || v.perLength != tensor::zero;
-    }
     const linearMap force(forceAtRest(t));
     forTiles(size(), [&](const label first, const label count)
     {
@@ -201,8 +192,12 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     reflection_.load(first, sums.count, R);
     bodyForce_.load(first, sums.count, f);
 
-    ulph::laneRow wallV[3];
-    wallVelocity(first, sums.count, wallV);
+    const bool bodiesMove = bodies_.size() > 1;
+    ulph::laneRow wallV[3] = {};
+    if (bodiesMove)
+    {
+        wallVelocity(first, sums.count, wallV);
+    }
 
     for (int l = 0; l < sums.count; ++l)
     {
@@ -213,7 +208,7 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
             fluid[k][l] = wet ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
         }
     }
-    if (turns_)
+    if (bodiesMove)
     {
         addTurning(sums, fluid);
     }
@@ -258,12 +253,14 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
         }
     }
     model_.viscousVelocity(sums.count, fluid, v, viscousV);
+    ulph::laneRow tankV[3];
+    velocity_.rows(cloud_, x_, nullptr, first, sums.count, tankV);
     for (int k = 0; k < D; ++k)
     {
         for (int l = 0; l < sums.count; ++l)
         {
             v[k][l] += wallV[k][l];
-            viscousV[k][l] += wallV[k][l];
+            viscousV[k][l] += wallV[k][l] + tankV[k][l];
         }
     }
 

@@ -265,7 +265,7 @@ void Foam::momentTensor::divergence
             forEach<N>([&](const auto i) ULPH_INLINE { trace += G[i*N + i]; });
             forEachComponent<N>([&](const auto i, const auto j) ULPH_INLINE
             {
-                later += G[i*N + j]*(G[j*N + i] - W[j*N + i]);
+                later += (G[i*N + j] + W[i*N + j])*G[j*N + i];
             });
             div[l] = trace + ahead[l]*later;
         });

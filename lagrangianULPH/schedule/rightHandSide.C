@@ -8,6 +8,28 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::rightHandSide::loadVelocity
+(
+    const label first,
+    const label count,
+    ulph::laneRow* v
+) const
+{
+    cloud_.v().load(first, count, v);
+    const linearMap& tank = wall_.tankVelocity();
+    if (tank.zero())
+    {
+        return;
+    }
+    ulph::laneRow tankV[3];
+    tank.rows(cloud_, cloud_.x(), nullptr, first, count, tankV);
+    for (int k = 0; k < cloud_.D(); ++k)
+    {
+        ulph::forLanes(count, [&](const int l) { v[k][l] -= tankV[k][l]; });
+    }
+}
+
+
 void Foam::rightHandSide::packFluid()
 {
     haloParticles& halo = search_.halo();
@@ -19,7 +41,7 @@ void Foam::rightHandSide::packFluid()
     {
         ulph::geometryTile tile;
         cloud_.x().load(first, count, tile.x);
-        cloud_.v().load(first, count, tile.v);
+        loadVelocity(first, count, tile.v);
         cloud_.densityExcess().load(0, first, count, tile.s);
         cloud_.volumes(first, count, tile.V);
         search_.sums().pack(first, count, tile);
@@ -229,17 +251,17 @@ void Foam::rightHandSide::divergence(const scalar t, const scalar later)
     {
         return;
     }
+    wall_.setTime(t, t + later);
     {
         ledger::section timer(ledger_, "pack");
         search_.halo().copy(cloud_.v());
         forTiles(cloud_.total(), [&](const label first, const label count)
         {
             ulph::laneRow v[3];
-            cloud_.v().load(first, count, v);
+            loadVelocity(first, count, v);
             search_.sums().packVelocity(first, count, v);
         });
     }
-    wall_.setTime(t, t + later);
     updateWalls(false);
 
     ledger::section timer(ledger_, "divergencePass");

@@ -186,6 +186,40 @@ void Foam::stagnationChecks(tally& t)
 }
 
 
+void Foam::turningChecks(tally& t)
+{
+    for (const int D : {2, 3})
+    {
+        scene where(scene::tank(D));
+        const testCase room(where.name);
+        mat W(mat::Zero());
+        W(0, 1) = -0.7;
+        W(1, 0) = 0.7;
+        for (int i = 0; i < where.state.size(); ++i)
+        {
+            where.state.v[i] = W*where.state.x[i];
+            where.state.rho1[i] = 0;
+        }
+        rig library
+        (
+            room,
+            where.properties(false)
+          + "wallMotion { solidBodyMotionFunction rotatingMotion;"
+            "origin (0 0 0); omega 0.7; axis "
+          + (D == 2 ? "(0 -1 0); }" : "(0 0 1); }"),
+            where.state
+        );
+        library.evaluate();
+        deviation div, dvdt;
+        for (int i = 0; i < library.size(); ++i)
+        {
+            div.add(library.scalarOf("divergence", i), 0);
+        }
+        t.check(where.name + " turning with its tank: div v", div.absolute(), 1e-12);
+    }
+}
+
+
 void Foam::latticeChecks(tally& t)
 {
     latticeChecks(t, 2, 1.11055, {0.555, 0.797, 1.070}, 5e-4);

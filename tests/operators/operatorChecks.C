@@ -415,6 +415,7 @@ void Foam::operatorChecks(tally& t)
     fallChecks(t);
     linearChecks(t);
     stagnationChecks(t);
+    turningChecks(t);
     latticeChecks(t);
 }
 

@@ -166,7 +166,7 @@ static void tensorChecks(tally& t, const int D)
         std::fill_n(ahead, ulph::maxLanes, 0.3);
         momentTensor::divergence(D, count, M, L, ahead, turning, div);
         const mat G(B*A);
-        divergence.add(div[lane], (G + 0.3*G*(G - W)).trace());
+        divergence.add(div[lane], (G + 0.3*G*(G + W)).trace());
     }
 
     const std::string what(std::to_string(D) + "D momentTensor ");
