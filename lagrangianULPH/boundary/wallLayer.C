@@ -7,6 +7,33 @@
 
 #include "symmetric.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Component k of a - R a: twice the part normal to the wall
+static void lessReflected
+(
+    const int D,
+    const int count,
+    const ulph::laneRow* R,
+    const ulph::laneRow* a,
+    const int k,
+    ulph::laneRow& row
+)
+{
+    ulph::forLanes(count, [&](const int l) { row[l] = a[k][l]; });
+    for (int m = 0; m < D; ++m)
+    {
+        const ulph::laneRow& Rkm = R[ulph::symmetricIndex(D, k, m)];
+        ulph::forLanes(count, [&](const int l) { row[l] -= Rkm[l]*a[m][l]; });
+    }
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::wallLayer::wallVelocity
@@ -72,20 +99,19 @@ void Foam::wallLayer::depthOverHeight
 
     ulph::laneRow depth;
     depth_.load(0, sums.first - firstRecord, sums.count, depth);
-    for (int l = 0; l < sums.count; ++l)
+
+    ulph::laneRow apart = {};
+    for (int k = 0; k < D; ++k)
     {
-        scalar apart = 0;
-        for (int k = 0; k < D && sums.w[l] > VSMALL; ++k)
-        {
-            scalar twiceNormal = sums.x[k][l];
-            for (int m = 0; m < D; ++m)
-            {
-                twiceNormal -= R[ulph::symmetricIndex(D, k, m)][l]*sums.x[m][l];
-            }
-            apart += sqr(0.5*twiceNormal/sums.w[l]);
-        }
-        ratio[l] = depth[l]/max(std::sqrt(apart) - depth[l], least);
+        ulph::laneRow twiceNormal;
+        lessReflected(D, sums.count, R, sums.x, k, twiceNormal);
+        ulph::forLanes(sums.count, [&](const int l) { apart[l] += sqr(twiceNormal[l]); });
     }
+    ulph::forLanes(sums.count, [&](const int l)
+    {
+        const scalar wet = max(sums.w[l], VSMALL);
+        ratio[l] = depth[l]/max(0.5*std::sqrt(apart[l])/wet - depth[l], least);
+    });
 }
 
 
@@ -241,16 +267,12 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     depthOverHeight(sums, R, ratio);
     for (int k = 0; k < D; ++k)
     {
-        for (int l = 0; l < sums.count; ++l)
+        ulph::laneRow twiceNormal;
+        lessReflected(D, sums.count, R, fluid, k, twiceNormal);
+        ulph::forLanes(sums.count, [&](const int l)
         {
-            scalar reflected = 0;
-            for (int m = 0; m < D; ++m)
-            {
-                reflected += R[ulph::symmetricIndex(D, k, m)][l]*fluid[m][l];
-            }
-            const scalar normal = 0.5*(fluid[k][l] - reflected);
-            v[k][l] = fluid[k][l] - (1 + ratio[l])*normal;
-        }
+            v[k][l] = fluid[k][l] - 0.5*(1 + ratio[l])*twiceNormal[l];
+        });
     }
     model_.viscousVelocity(sums.count, fluid, v, viscousV);
     ulph::laneRow tankV[3];

@@ -135,7 +135,7 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
     // As near to each other as particles of one body may be
     pointGrid before(0.7*cloud_.dx());
 
-    std::vector<label> chosen;
+    chosen_.clear();
     body_.clear();
     forAll(bodies_, b)
     {
@@ -144,23 +144,23 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
             continue;
         }
         const wallParticleSet& all = bodies_[b].particles().active();
-        const std::size_t first = chosen.size();
+        const std::size_t first = chosen_.size();
         for (label i = 0; i < all.size(); ++i)
         {
             const point p(placed_[b].toGround(all.position[i]));
             if (inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p)))
             {
-                chosen.push_back(i);
+                chosen_.push_back(i);
             }
         }
-        body_.resize(chosen.size(), b);
-        for (std::size_t i = first; b + 1 < bodies_.size() && i < chosen.size(); ++i)
+        body_.resize(chosen_.size(), b);
+        for (std::size_t i = first; b + 1 < bodies_.size() && i < chosen_.size(); ++i)
         {
-            before.append(placed_[b].toGround(all.position[chosen[i]]));
+            before.append(placed_[b].toGround(all.position[chosen_[i]]));
         }
     }
 
-    const label n = label(chosen.size());
+    const label n = label(chosen_.size());
     for (particleField* field : {&x_, &volume_, &reflection_, &depth_})
     {
         field->reset(n);
@@ -169,13 +169,13 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
     {
         const wallParticleSet& all = bodies_[body_[i]].particles().active();
         const linearMap& toGround = placed_[body_[i]].toGround;
-        const symmTensor& R = all.reflection[chosen[i]];
-        volume_.set(i, 0, all.volume[chosen[i]]);
-        depth_.set(i, 0, all.depth[chosen[i]]);
+        const symmTensor& R = all.reflection[chosen_[i]];
+        volume_.set(i, 0, all.volume[chosen_[i]]);
+        depth_.set(i, 0, all.depth[chosen_[i]]);
         put
         (
             i,
-            toGround(all.position[chosen[i]]),
+            toGround(all.position[chosen_[i]]),
             bodies_[body_[i]].moves() ? transform(toGround.perLength, R) : R
         );
     }
@@ -253,16 +253,20 @@ Foam::scalar Foam::wallLayer::way() const
 }
 
 
-Foam::wallSearch::wallPoint Foam::wallLayer::nearest(const label i) const
+Foam::label Foam::wallLayer::patch(const label i) const
 {
-    const wallBody::placement& place = placed_[body_[i]];
-    wallSearch::wallPoint found
+    return bodies_[body_[i]].particles().active().patch[chosen_[i]];
+}
+
+
+Foam::point Foam::wallLayer::nearestOnWall(const label i) const
+{
+    const wallParticleSet& all = bodies_[body_[i]].particles().active();
+    const label j = chosen_[i];
+    return placed_[body_[i]].toGround
     (
-        bodies_[body_[i]].nearestOnBody(place.toBody(position(i)), GREAT)
+        all.position[j] - all.distance[j]*all.normal[j]
     );
-    found.position = place.toGround(found.position);
-    found.normal = place.toGround.perLength & found.normal;
-    return found;
 }
 
 
@@ -309,12 +313,12 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
     volume_.permute(order);
     reflection_.permute(order);
     depth_.permute(order);
-    if (bodies_.size() > 1)
+    for (std::vector<int>* const values : {&chosen_, &body_})
     {
-        const std::vector<int> before(body_);
+        before_ = *values;
         for (std::size_t i = 0; i < order.size(); ++i)
         {
-            body_[i] = before[order[i]];
+            (*values)[i] = before_[order[i]];
         }
     }
 }

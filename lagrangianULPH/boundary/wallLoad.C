@@ -145,12 +145,11 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
         fluids
     );
 
-    #pragma omp parallel for schedule(dynamic, 64)
+    #pragma omp parallel for schedule(static)
     for (label j = 0; j < n; ++j)
     {
-        const wallSearch::wallPoint nearest(wall_.nearest(j));
-        loads[j].patch = nearest.patch;
-        loads[j].where = nearest.position;
+        loads[j].patch = wall_.patch(j);
+        loads[j].where = wall_.nearestOnWall(j);
     }
     return loads;
 }

@@ -27,8 +27,27 @@ Foam::neighbourSearch::makeCells(const ulphCloud& cloud, const scalar size)
 }
 
 
+Foam::scalar Foam::neighbourSearch::nextSkin() const
+{
+    // A list costs as much as some four steps of pair sums, a wide skin a tenth more
+    // of these
+    constexpr label few = 2;
+    constexpr label many = 8;
+    const scalar wide = 2*narrow_;
+
+    if (!valid_ || nUses_ > many)
+    {
+        return narrow_;
+    }
+    return nUses_ <= few ? wide : skin_;
+}
+
+
 void Foam::neighbourSearch::build()
 {
+    skin_ = nextSkin();
+    nUses_ = 1;
+
     const scalar reach = 2*cloud_.h() + skin_;
     const scalar longest = 8*cloud_.dx();
 
@@ -81,14 +100,15 @@ Foam::neighbourSearch::neighbourSearch
     cloud_(cloud),
     wall_(wall),
     sums_(weight.sums(cloud.shared().mixed)),
-    skin_(skin*cloud.dx()),
+    narrow_(skin*cloud.dx()),
+    skin_(narrow_),
     farthest_(2*cloud.dx()),
     stray_(0.5*cloud.dx()),
     cells_(makeCells(cloud, 2*cloud.dx())),
     halo_(cloud, cells_),
     fluidGrid_(cells_),
     wallGrid_(cells_),
-    motion_(makeCells(cloud, 2*cloud.h() + skin_))
+    motion_(makeCells(cloud, 2*(cloud.h() + narrow_)))
 {}
 
 
@@ -142,6 +162,7 @@ bool Foam::neighbourSearch::update()
      && !motion_.exceeds(cloud_.totalView(), skin_ - way, farthest_ - way)
     )
     {
+        ++nUses_;
         return false;
     }
     build();

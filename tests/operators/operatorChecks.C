@@ -171,6 +171,7 @@ static void skinChecks(tally& t, const scene& where)
     const modelChoice& choice = choices[0];
     rig library(room, where.properties(false) + choice.properties, where.state);
     library.evaluate();
+    const scalar skin = library.neighbours.skin();
 
     vec along(vec::Zero());
     along.head(where.D).setConstant(1/std::sqrt(scalar(where.D)));
@@ -192,6 +193,11 @@ static void skinChecks(tally& t, const scene& where)
             where.name + " moved, list " + std::to_string(nBuilds)
         );
         t.check(what + " is in use", library.neighbours.nBuilds() == nBuilds);
+        t.check
+        (
+            what + " skin, wider after a list that hardly lasted",
+            library.neighbours.skin() == nBuilds*skin
+        );
         compare(t, what, library, choice.printed, 1e-12);
     }
 }

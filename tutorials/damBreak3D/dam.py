@@ -21,6 +21,13 @@ FRONT = readTable("reference/lobovsky2014_front_H300.csv")
 PRESSURES = [
     readTable(f"reference/lobovsky2014_H300_sensor{k}.csv") for k in (1, 2)
 ]
+# Pressures of a two-phase finite-volume solution in 2D with slip walls
+FINITE_VOLUME = readTable("reference/interFoam_slip_sensors.csv")
+
+
+def plateau(t, p):
+    """Mean of the pressure p from t = 3 to 5."""
+    return p[(t >= 3) & (t <= 5)].mean()
 
 
 def delay():
@@ -98,10 +105,9 @@ class Run:
             "outside": self.outside,
             "peakForce": float(self.force.max()),
         }
-        plateau = (self.times >= 3) & (self.times <= 5)
         for k in range(len(SENSORS)):
             row[f"peak{k + 1}"] = float(self.pressures[k].max())
-            row[f"plateau{k + 1}"] = float(self.pressures[k][plateau].mean())
+            row[f"plateau{k + 1}"] = float(plateau(self.times, self.pressures[k]))
         return {**row, **cost(self.folder)}
 
 

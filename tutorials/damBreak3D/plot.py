@@ -3,7 +3,7 @@
 import sys
 
 import numpy as np
-from dam import FRONT, POTENTIAL, PRESSURES, SENSORS, delay, runs
+from dam import FINITE_VOLUME, FRONT, POTENTIAL, PRESSURES, SENSORS, delay, runs
 from ulphCase import drawBox, drawParticles, pyplot, savePicture
 from ulphStudy import figuresFolder
 
@@ -24,12 +24,17 @@ def curves(found, file):
         t, low, median, high = PRESSURES[k].T
         axes[k + 1].fill_between(t - late, low, high, color="0.85", lw=0)
         axes[k + 1].plot(t - late, median, "k-", lw=0.8)
+        axes[k + 1].plot(
+            FINITE_VOLUME[:, 0], FINITE_VOLUME[:, k + 1], "k--", lw=0.8,
+            label="interFoam, 2D",
+        )
         for run in found:
             axes[k + 1].plot(run.times, run.pressures[k], lw=0.8, label=run.folder.name)
         axes[k + 1].set(
             xlim=(2, 7), ylim=(-0.3, 4), ylabel="p/(rho g H)",
             title=f"sensor {k + 1}, z = {1000 * SENSORS[k]:g} mm (grey: 95 % of the runs)",
         )
+    axes[1].legend(fontsize=8)
     axes[2].set(xlabel="t sqrt(g/H)")
     savePicture(figure, file)
 
