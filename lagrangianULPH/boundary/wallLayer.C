@@ -36,7 +36,7 @@ static void lessReflected
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::wallLayer::wallVelocity
+void Foam::wallLayer::velocityOfBodies
 (
     const label first,
     const label count,
@@ -61,15 +61,12 @@ void Foam::wallLayer::wallVelocity
 void Foam::wallLayer::addTurning
 (
     const ulph::interpolationBlock& sums,
+    const ulph::laneRow& perWeight,
     ulph::laneRow* fluid
 ) const
 {
     for (int l = 0; l < sums.count; ++l)
     {
-        if (sums.w[l] <= VSMALL)
-        {
-            continue;
-        }
         const label i = sums.first - firstRecord + l;
         const tensor& gradient = bodyVelocity_[body_[i]].perLength;
         for (int k = 0; k < cloud_.D(); ++k)
@@ -78,7 +75,7 @@ void Foam::wallLayer::addTurning
             {
                 fluid[k][l] -=
                     gradient(cloud_.axis(k), cloud_.axis(m))
-                   *sums.x[m][l]/sums.w[l];
+                   *sums.x[m][l]*perWeight[l];
             }
         }
     }
@@ -88,6 +85,7 @@ void Foam::wallLayer::addTurning
 void Foam::wallLayer::depthOverHeight
 (
     const ulph::interpolationBlock& sums,
+    const ulph::laneRow& perWeight,
     const ulph::laneRow* R,
     ulph::laneRow& ratio
 ) const
@@ -109,8 +107,8 @@ void Foam::wallLayer::depthOverHeight
     }
     ulph::forLanes(sums.count, [&](const int l)
     {
-        const scalar wet = max(sums.w[l], VSMALL);
-        ratio[l] = depth[l]/max(0.5*std::sqrt(apart[l])/wet - depth[l], least);
+        const scalar height = 0.5*std::sqrt(apart[l])*perWeight[l] - depth[l];
+        ratio[l] = depth[l]/max(height, least);
     });
 }
 
@@ -202,69 +200,40 @@ void Foam::wallLayer::setTime(const scalar t, const scalar tVelocity)
 }
 
 
-void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
+void Foam::wallLayer::takeVelocity
+(
+    const ulph::interpolationBlock& sums,
+    const ulph::laneRow& perWeight
+)
 {
     const int D = cloud_.D();
     const label first = sums.first - firstRecord;
 
-    ulph::laneRow fluid[3];
-    ulph::laneRow v[3];
-    ulph::laneRow viscousV[3];
-    ulph::laneRow R[6];
-    ulph::laneRow f[3];
-    ulph::laneRow rho1;
-    ulph::laneRow p;
-
-    reflection_.load(first, sums.count, R);
-    bodyForce_.load(first, sums.count, f);
-
+    // The fluid relative to the wall
     const bool bodiesMove = bodies_.size() > 1;
-    ulph::laneRow wallV[3] = {};
+    ulph::laneRow bodyV[3] = {};
     if (bodiesMove)
     {
-        wallVelocity(first, sums.count, wallV);
+        velocityOfBodies(first, sums.count, bodyV);
     }
-
-    for (int l = 0; l < sums.count; ++l)
+    ulph::laneRow fluid[3];
+    for (int k = 0; k < D; ++k)
     {
-        const bool wet = sums.w[l] > VSMALL;
-        rho1[l] = wet ? sums.s[l]/sums.w[l] : 0;
-        for (int k = 0; k < D; ++k)
+        ulph::forLanes(sums.count, [&](const int l)
         {
-            fluid[k][l] = wet ? sums.v[k][l]/sums.w[l] - wallV[k][l] : 0;
-        }
+            fluid[k][l] = sums.v[k][l]*perWeight[l] - bodyV[k][l];
+        });
     }
     if (bodiesMove)
     {
-        addTurning(sums, fluid);
+        addTurning(sums, perWeight, fluid);
     }
 
-    state_.pressure(sums.count, rho1, p);
-    label nSeparated = 0;
-    for (int l = 0; l < sums.count; ++l)
-    {
-        scalar balance = 0;
-        for (int k = 0; k < D && sums.w[l] > VSMALL; ++k)
-        {
-            balance -=
-                f[k][l]*(cloud_.rho0()*sums.x[k][l] + sums.sx[k][l])/sums.w[l];
-        }
-        if (p[l] <= 0 && balance < 0)
-        {
-            balance = 0;
-            ++nSeparated;
-        }
-        p[l] += balance;
-    }
-    if (nSeparated)
-    {
-        #pragma omp atomic
-        nSeparated_ += nSeparated;
-    }
-    state_.densityExcess(sums.count, p, rho1);
-
+    ulph::laneRow R[6];
+    reflection_.load(first, sums.count, R);
     ulph::laneRow ratio;
-    depthOverHeight(sums, R, ratio);
+    depthOverHeight(sums, perWeight, R, ratio);
+    ulph::laneRow v[3];
     for (int k = 0; k < D; ++k)
     {
         ulph::laneRow twiceNormal;
@@ -274,21 +243,74 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
             v[k][l] = fluid[k][l] - 0.5*(1 + ratio[l])*twiceNormal[l];
         });
     }
+    ulph::laneRow viscousV[3];
     model_.viscousVelocity(sums.count, fluid, v, viscousV);
+
     ulph::laneRow tankV[3];
     velocity_.rows(cloud_, x_, nullptr, first, sums.count, tankV);
     for (int k = 0; k < D; ++k)
     {
-        for (int l = 0; l < sums.count; ++l)
+        ulph::forLanes(sums.count, [&](const int l)
         {
-            v[k][l] += wallV[k][l];
-            viscousV[k][l] += wallV[k][l] + tankV[k][l];
-        }
+            v[k][l] += bodyV[k][l];
+            viscousV[k][l] += bodyV[k][l] + tankV[k][l];
+        });
     }
-
-    densityExcess_.store(0, first, sums.count, rho1);
     v_.store(first, sums.count, v);
     viscousV_.store(first, sums.count, viscousV);
+}
+
+
+void Foam::wallLayer::takePressure
+(
+    const ulph::interpolationBlock& sums,
+    const ulph::laneRow& perWeight
+)
+{
+    const label first = sums.first - firstRecord;
+    const scalar rho0 = cloud_.rho0();
+
+    ulph::laneRow rho1;
+    ulph::laneRow p;
+    ulph::forLanes(sums.count, [&](const int l) { rho1[l] = sums.s[l]*perWeight[l]; });
+    state_.pressure(sums.count, rho1, p);
+
+    ulph::laneRow f[3];
+    bodyForce_.load(first, sums.count, f);
+    ulph::laneRow balance = {};
+    for (int k = 0; k < cloud_.D(); ++k)
+    {
+        ulph::forLanes(sums.count, [&](const int l)
+        {
+            balance[l] -= f[k][l]*(rho0*sums.x[k][l] + sums.sx[k][l])*perWeight[l];
+        });
+    }
+    label nSeparated = 0;
+    for (int l = 0; l < sums.count; ++l)
+    {
+        const bool separated = p[l] <= 0 && balance[l] < 0;
+        p[l] += separated ? 0 : balance[l];
+        nSeparated += separated;
+    }
+    if (nSeparated)
+    {
+        #pragma omp atomic
+        nSeparated_ += nSeparated;
+    }
+    state_.densityExcess(sums.count, p, rho1);
+    densityExcess_.store(0, first, sums.count, rho1);
+}
+
+
+void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
+{
+    ulph::laneRow perWeight;
+    ulph::forLanes(sums.count, [&](const int l)
+    {
+        perWeight[l] = sums.w[l] > VSMALL ? 1/sums.w[l] : 0;
+    });
+    takeVelocity(sums, perWeight);
+    takePressure(sums, perWeight);
 }
 
 
