@@ -170,8 +170,9 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
         const wallParticleSet& all = bodies_[body_[i]].particles().active();
         const linearMap& toGround = placed_[body_[i]].toGround;
         const symmTensor& R = all.reflection[chosen_[i]];
+        const vector& n = all.normal[chosen_[i]];
         volume_.set(i, 0, all.volume[chosen_[i]]);
-        depth_.set(i, 0, all.depth[chosen_[i]]);
+        depth_.set(i, 0, 0.5*all.distance[chosen_[i]]*mag(n - (R & n)));
         put
         (
             i,

@@ -255,7 +255,6 @@ void Foam::wallParticles::append
     set.distance.append(distance);
     set.normal.append(outward);
     set.reflection.append(reflection);
-    set.depth.append(0.5*distance*mag(outward - (reflection & outward)));
     set.patch.append(patch);
     set.beyond.append(beyond);
 }

@@ -3,8 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Fields whose derivatives are known: linear ones, flow against a floor, and
-    lambda on a lattice.
+    Fields whose derivatives are known: linear ones, and lambda on a lattice.
 
 \*---------------------------------------------------------------------------*/
 
@@ -136,86 +135,6 @@ void Foam::linearChecks(tally& t)
             t.check(what + "grad of a linear field", gradient.relative(), bound);
             t.check(what + "div of a linear field", divergence.relative(), bound);
         }
-    }
-}
-
-
-void Foam::stagnationChecks(tally& t)
-{
-    for (const int D : {2, 3})
-    {
-        // Towards the floor and aside along it, without divergence
-        scene where(scene::tank(D));
-        const testCase room(where.name);
-        const vec size(D == 2 ? vec(1, 0.8, 0) : vec(0.4, 0.32, 0.32));
-        const auto aside = [&](const vec& x)
-        {
-            vec d(x - 0.5*size);
-            d[D - 1] = 0;
-            return d;
-        };
-        for (int i = 0; i < where.state.size(); ++i)
-        {
-            vec& v = where.state.v[i];
-            v = aside(where.state.x[i]);
-            v[D - 1] = -(D - 1)*where.state.x[i][D - 1];
-        }
-        rig library(room, where.properties(false), where.state);
-        library.evaluate();
-
-        // The row on the floor, as good as out of reach of the other walls
-        deviation div;
-        double sum = 0;
-        int n = 0;
-        for (int i = 0; i < library.size(); ++i)
-        {
-            const vec x(library.solved(library.cloud.position(i)));
-            const vec toWalls(0.5*size - aside(x).cwiseAbs());
-            if (x[D - 1] < where.dx && toWalls.head(D - 1).minCoeff() > 3*where.dx)
-            {
-                div.add(library.scalarOf("divergence", i), 0);
-                sum += library.scalarOf("divergence", i);
-                ++n;
-            }
-        }
-        const std::string what(where.name + " flow against the floor: ");
-        t.check(what + "particles", n > 3);
-        t.check(what + "div v", div.absolute(), 0.04*(D - 1));
-        t.check(what + "mean of div v", std::abs(sum/n), 0.02*(D - 1));
-    }
-}
-
-
-void Foam::turningChecks(tally& t)
-{
-    for (const int D : {2, 3})
-    {
-        scene where(scene::tank(D));
-        const testCase room(where.name);
-        mat W(mat::Zero());
-        W(0, 1) = -0.7;
-        W(1, 0) = 0.7;
-        for (int i = 0; i < where.state.size(); ++i)
-        {
-            where.state.v[i] = W*where.state.x[i];
-            where.state.rho1[i] = 0;
-        }
-        rig library
-        (
-            room,
-            where.properties(false)
-          + "wallMotion { solidBodyMotionFunction rotatingMotion;"
-            "origin (0 0 0); omega 0.7; axis "
-          + (D == 2 ? "(0 -1 0); }" : "(0 0 1); }"),
-            where.state
-        );
-        library.evaluate();
-        deviation div, dvdt;
-        for (int i = 0; i < library.size(); ++i)
-        {
-            div.add(library.scalarOf("divergence", i), 0);
-        }
-        t.check(where.name + " turning with its tank: div v", div.absolute(), 1e-12);
     }
 }
 

@@ -334,72 +334,6 @@ static void splitChecks(tally& t, const scene& where)
     t.check(where.name + " split div v left out beside walls", nLeftOut, 0.0);
 }
 
-
-//- The divergence at positions that are ahead of the velocities, as
-//- driftKickDrift takes it: of a field A x that stretches and turns it is that
-//- before, for a tank that turns, too
-static void aheadChecks(tally& t, const int D)
-{
-    const scene where(scene::ball(D));
-    const testCase room(where.name);
-    const scalar ahead = 1e-3;
-    const std::string turning
-    (
-        "wallMotion { solidBodyMotionFunction rotatingMotion;"
-        "origin (0 0 0); axis (0 0 1); omega 0.7; }"
-    );
-
-    randomVectors random(D, 17);
-    mat A(mat::Zero());
-    for (int k = 0; k < D; ++k)
-    {
-        A.col(k) = random.vector(1);
-    }
-    mat W(mat::Zero());
-    W(0, 1) = -0.7;
-    W(1, 0) = 0.7;
-
-    for (const bool turns : {false, true})
-    {
-        const mat relative(turns ? mat(A - W) : A);
-        fluidState state(where.state);
-        for (int i = 0; i < state.size(); ++i)
-        {
-            state.v[i] = A*state.x[i];
-            state.x[i] += ahead*relative*state.x[i];
-        }
-        rig library
-        (
-            room,
-            where.properties(false) + "momentMatrix full; densityDiffusion none;"
-            "shifting none; freeSurface none;" + (turns ? turning : ""),
-            state
-        );
-        library.rates.updateNeighbours(0);
-        library.rates.geometry(0, ahead);
-
-        deviation div;
-        for (int i = 0; i < library.size(); ++i)
-        {
-            div.add(library.scalarOf("divergence", i), A.trace());
-        }
-        const mat left(A*A*relative);
-        t.check
-        (
-            where.name + (turns ? " turning" : " resting")
-          + " div v at positions ahead",
-            div.absolute(),
-            1.1*sqr(ahead)*mag(left.trace()) + 1e-12
-        );
-        t.checkAbove
-        (
-            where.name + " which counts",
-            ahead*mag((A*relative).trace()),
-            20*sqr(ahead)*mag(left.trace())
-        );
-    }
-}
-
 } // End namespace Foam
 
 
@@ -416,13 +350,10 @@ void Foam::operatorChecks(tally& t)
     }
     partChecks(t, 2);
     partChecks(t, 3);
-    aheadChecks(t, 2);
-    aheadChecks(t, 3);
     fallChecks(t);
     linearChecks(t);
-    stagnationChecks(t);
-    turningChecks(t);
     latticeChecks(t);
+    flowChecks(t);
 }
 
 
