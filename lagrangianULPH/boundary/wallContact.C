@@ -95,7 +95,7 @@ void Foam::wallContact::update
     for (int i = 0; i < list.size(); ++i)
     {
         const ulph::clusterList::cluster& c = list[i];
-        for (int l = 0; l < c.count && c.fluidEnd != c.end; ++l)
+        for (int l = 0; l < c.count && c.besideWall(); ++l)
         {
             findPlanes(c.first + l, reach, found[i]);
         }

@@ -95,10 +95,9 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::findHidden
 ) const
 {
     const particleField& x = search.cloud().x();
-    const std::uint32_t* const neighbours =
-        search.fluidList().neighbours(c);
     const scalar h2 = sqr(h_);
 
+    const ulph::clusterList::sources fluid(search.fluidList().fluid(c));
     ulph::laneRow members[3] = {};
     ulph::laneRow normals[3] = {};
     x.load(c.first, c.count, members);
@@ -121,13 +120,13 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::findHidden
         }
 
         auto found = lanes(hidden + first, aligned) > 0;
-        for (std::size_t j = c.begin; j < c.fluidEnd && !all_of(found); ++j)
+        const auto look = [&](const std::uint32_t j)
         {
             lanes r2 = 0;
             lanes along = 0;
             for (int k = 0; k < D_; ++k)
             {
-                const lanes d = x.component(k)[neighbours[j]] - origin[k];
+                const lanes d = x.component(k)[j] - origin[k];
                 r2 += d*d;
                 along += d*normal[k];
             }
@@ -142,6 +141,11 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::findHidden
                      || (r2 >= 2*h2 && 2*h_*along > r2)
                     )
                 );
+            return !all_of(found);
+        };
+        if (!all_of(found))
+        {
+            fluid.goThrough(look);
         }
         for (int l = 0; l < int(lanes::size()); ++l)
         {

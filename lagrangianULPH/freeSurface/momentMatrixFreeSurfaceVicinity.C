@@ -30,8 +30,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     for (int i = 0; i < list.size(); ++i)
     {
         const ulph::clusterList::cluster& c = list[i];
-        const std::uint32_t* const first = list.neighbours(c) + c.begin;
-        const std::uint32_t* const last = list.neighbours(c) + c.fluidEnd;
+        const ulph::clusterList::sources fluid(list.fluid(c));
 
         lanes members[nRegisters][3];
         ulph::laneRow rows[3] = {};
@@ -67,14 +66,15 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         };
 
         bool any = false;
-        for (const std::uint32_t* j = first; j != last; ++j)
+        fluid.goThrough([&](const std::uint32_t j)
         {
-            if (onSurface_[*j])
+            if (onSurface_[j])
             {
                 any = true;
-                look(*j, sawSurface);
+                look(j, sawSurface);
             }
-        }
+            return true;
+        });
         mask_[i] = any && !known_[i];
 
         const unsigned char* const on = onSurface_.data() + c.first;
@@ -94,9 +94,13 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
             {
                 look(std::uint32_t(c.first + l), sawFluid);
             }
-            for (const std::uint32_t* j = first; j != last && lonely(); ++j)
+            if (lonely())
             {
-                look(*j, sawFluid);
+                fluid.goThrough([&](const std::uint32_t j)
+                {
+                    look(j, sawFluid);
+                    return lonely();
+                });
             }
         }
 

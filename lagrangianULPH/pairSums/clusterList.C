@@ -40,11 +40,11 @@ class memberLanes
     using lane = lanes<float>::real;
 
     static constexpr int width = int(lane::size());
-    static constexpr int rows = (maxLanes + width - 1)/width;
 
     const int D_;
+    const int nRows_;
     std::array<double, 3> centre_{};
-    lane x_[3][rows];
+    lane x_[3][(maxLanes + width - 1)/width];
 
 public:
 
@@ -56,12 +56,13 @@ public:
         const int count
     )
     :
-        D_(p.D)
+        D_(p.D),
+        nRows_((count + width - 1)/width)
     {
         for (int k = 0; k < D_; ++k)
         {
             centre_[k] = 0.5*(b.lower[k] + b.upper[k]);
-            for (int r = 0; r < rows; ++r)
+            for (int r = 0; r < nRows_; ++r)
             {
                 for (int l = 0; l < width; ++l)
                 {
@@ -76,13 +77,12 @@ public:
     template<int D>
     bool reached(const particleView& p, const int j, const float reach2) const
     {
-        bool any = false;
         float x[D];
         for (int k = 0; k < D; ++k)
         {
             x[k] = float(p.x[k][j] - centre_[k]);
         }
-        for (int r = 0; r < rows; ++r)
+        for (int r = 0; r < nRows_; ++r)
         {
             lane d2 = 0;
             for (int k = 0; k < D; ++k)
@@ -90,9 +90,12 @@ public:
                 const lane d = x_[k][r] - x[k];
                 d2 += d*d;
             }
-            any = any || any_of(d2 < reach2);
+            if (any_of(d2 < reach2))
+            {
+                return true;
+            }
         }
-        return any;
+        return false;
     }
 };
 
@@ -127,44 +130,126 @@ void cellDistances
 // average
 void makeRoom
 (
-    std::vector<std::uint32_t>& listed,
+    std::vector<clusterList::sources::step>& steps,
     const int nDone,
     const int nClusters
 )
 {
-    const std::size_t size = listed.size();
-    if (16*nDone < nClusters || listed.capacity() - size > size/64)
+    const std::size_t size = steps.size();
+    if (16*nDone < nClusters || steps.capacity() - size > size/64)
     {
         return;
     }
     const std::size_t expected = std::size_t(double(size)*nClusters/nDone);
-    if (expected > listed.capacity())
+    if (expected > steps.capacity())
     {
-        listed.reserve(std::max(expected + expected/64, size + size/32));
+        steps.reserve(std::max(expected + expected/64, size + size/32));
     }
 }
 
-// Append the sources closer to a member than reach, cell by cell
-template<int D>
-void listSources
-(
-    const clusterList::sourceGroup& group,
-    const box& b,
-    const memberLanes& members,
-    const double reach,
-    std::vector<std::uint32_t>& listed
-)
+// Indices as they are found: a vector that grows ahead, as push_back takes longer
+// than to look at a particle
+class indexList
 {
-    if (!group.grid || group.particles.n == 0)
+    std::vector<std::uint32_t> indices_;
+    int n_ = 0;
+
+public:
+
+    void clear()
     {
-        return;
+        n_ = 0;
     }
 
-    const cellLayout& cells = group.grid->layout();
-    const double reach2 = reach*reach;
-    // Rounding of float must not lose a pair
-    const float safeReach2 = float(reach2*(1 + 1e-5));
+    //- Append those of n candidates from first on that pass
+    template<class Test>
+    void appendIf(const std::uint32_t first, const int n, const Test& passes)
+    {
+        if (indices_.size() < std::size_t(n_ + n))
+        {
+            indices_.resize(2*(n_ + n));
+        }
+        std::uint32_t* const index = indices_.data();
+        int size = n_;
+        for (int i = 0; i < n; ++i)
+        {
+            index[size] = first + i;
+            size += passes(i);
+        }
+        n_ = size;
+    }
 
+    //- Append the steps over the indices, which are in order
+    //  \return the first
+    std::uint32_t appendTo(std::vector<clusterList::sources::step>& steps) const
+    {
+        constexpr std::uint32_t longest = clusterList::sources::onTheWay;
+        const std::uint32_t first = n_ ? indices_[0] : 0;
+        std::uint32_t at = first;
+        for (int i = 0; i < n_; ++i)
+        {
+            std::uint32_t way = indices_[i] - at;
+            for (; way >= longest; way -= longest)
+            {
+                steps.push_back(longest);
+            }
+            steps.push_back(clusterList::sources::step(way));
+            at = indices_[i];
+        }
+        return first;
+    }
+};
+
+// Numbers below a limit, to be gone through in order: bits, and a bit for each word of
+// these that is not zero
+class orderedSet
+{
+    std::vector<std::uint64_t> words_;
+    std::vector<std::uint64_t> used_;
+
+public:
+
+    void resize(const int limit)
+    {
+        words_.resize(limit/64 + 1, 0);
+        used_.resize(limit/4096 + 1, 0);
+    }
+
+    void insert(const int i)
+    {
+        words_[i/64] |= std::uint64_t(1) << i % 64;
+        used_[i/4096] |= std::uint64_t(1) << i/64 % 64;
+    }
+
+    //- Call f for each and take it out
+    template<class Function>
+    void drain(const Function& f)
+    {
+        for (std::size_t u = 0; u < used_.size(); ++u)
+        {
+            for (; used_[u]; used_[u] &= used_[u] - 1)
+            {
+                const std::size_t w = 64*u + __builtin_ctzll(used_[u]);
+                for (; words_[w]; words_[w] &= words_[w] - 1)
+                {
+                    f(int(64*w) + __builtin_ctzll(words_[w]));
+                }
+            }
+        }
+    }
+};
+
+// Places along the curve of the cells with particles nearer than reach to a box
+template<int D>
+void findCells
+(
+    const cellGrid& grid,
+    const box& b,
+    const double reach,
+    orderedSet& found
+)
+{
+    const cellLayout& cells = grid.layout();
     thread_local std::vector<double> d2[3];
     std::array<int, 3> lower{0, 0, 0};
     for (int k = 0; k < D; ++k)
@@ -180,31 +265,63 @@ void listSources
         d2[2].assign(1, 0);
     }
 
+    found.resize(cells.nCells());
     for (std::size_t k = 0; k < d2[2].size(); ++k)
     {
         for (std::size_t j = 0; j < d2[1].size(); ++j)
         {
             for (std::size_t i = 0; i < d2[0].size(); ++i)
             {
-                if (d2[0][i] + d2[1][j] + d2[2][k] >= reach2)
-                {
-                    continue;
-                }
                 const int r = cells.rank
                 (
                     lower[0] + int(i), lower[1] + int(j), lower[2] + int(k)
                 );
-                const int last = group.grid->first(r + 1);
-                for (int s = group.grid->first(r); s < last; ++s)
+                if
+                (
+                    d2[0][i] + d2[1][j] + d2[2][k] < reach*reach
+                 && grid.first(r) < grid.first(r + 1)
+                )
                 {
-                    if (members.reached<D>(group.particles, s, safeReach2))
-                    {
-                        listed.push_back(std::uint32_t(group.offset + s));
-                    }
+                    found.insert(r);
                 }
             }
         }
     }
+}
+
+// Append the sources of a group closer to a member than reach, in order
+template<int D>
+void listSources
+(
+    const clusterList::sourceGroup& group,
+    const box& b,
+    const memberLanes& members,
+    const double reach,
+    indexList& listed
+)
+{
+    if (!group.grid || group.particles.n == 0)
+    {
+        return;
+    }
+    // Rounding of float must not lose a pair
+    const float safeReach2 = float(reach*reach*(1 + 1e-5));
+
+    thread_local orderedSet cells;
+    findCells<D>(*group.grid, b, reach, cells);
+    cells.drain([&](const int r)
+    {
+        const int first = group.grid->first(r);
+        listed.appendIf
+        (
+            group.offset + first,
+            group.grid->first(r + 1) - first,
+            [&](const int i)
+            {
+                return members.reached<D>(group.particles, first + i, safeReach2);
+            }
+        );
+    });
 }
 
 // Consecutive targets of [first, last) as clusters of up to width
@@ -240,7 +357,7 @@ void formBlock
             }
             b = grown;
         }
-        clusters.push_back({targets.offset + first, count, 0, 0, 0, 0});
+        clusters.push_back({targets.offset + first, count, 0, 0, 0, 0, 0, 0});
         first += count;
     }
 }
@@ -286,7 +403,7 @@ void clusterList::build
     const int width,
     const double reach,
     const double longest,
-    const sourceGroups& sources
+    const sourceGroups& groups
 )
 {
     formClusters(targets, width, longest);
@@ -300,8 +417,9 @@ void clusterList::build
     for (int t = 0; t < nParts; ++t)
     {
         // Taken out: the heads of the parts lie side by side in one cache line
-        std::vector<std::uint32_t> part(std::move(parts_[t]));
+        std::vector<sources::step> part(std::move(parts_[t]));
         part.clear();
+        indexList listed;
         const int start = int(std::int64_t(nClusters)*t/nParts);
         const int last = int(std::int64_t(nClusters)*(t + 1)/nParts);
         for (int c = start; c < last; ++c)
@@ -312,17 +430,21 @@ void clusterList::build
             const int first = now.first - targets.offset;
             const box b = boundingBox(targets.particles, first, now.count);
             const memberLanes members(targets.particles, b, first, now.count);
-            const auto append = [&](const sourceGroup& group)
+            const auto list = [&](const sourceGroup& group)
             {
                 targets.particles.D == 2
-              ? listSources<2>(group, b, members, reach, part)
-              : listSources<3>(group, b, members, reach, part);
+              ? listSources<2>(group, b, members, reach, listed)
+              : listSources<3>(group, b, members, reach, listed);
             };
             now.begin = part.size();
-            append(sources.fluid);
-            append(sources.halo);
+            listed.clear();
+            list(groups.fluid);
+            list(groups.halo);
+            now.fluid = listed.appendTo(part);
             now.fluidEnd = part.size();
-            append(sources.wall);
+            listed.clear();
+            list(groups.wall);
+            now.wall = listed.appendTo(part);
             now.end = part.size();
         }
         parts_[t] = std::move(part);
@@ -341,7 +463,7 @@ std::size_t clusterList::bytes() const
     std::size_t n = sizeof(cluster)*clusters_.capacity();
     for (const auto& part : parts_)
     {
-        n += sizeof(std::uint32_t)*part.capacity();
+        n += sizeof(sources::step)*part.capacity();
     }
     return n;
 }

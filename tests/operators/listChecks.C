@@ -29,7 +29,7 @@ struct listFaults
     //- Pairs in reach that are absent
     int missing = 0;
 
-    //- Sources listed twice, or on the wrong side of fluidEnd
+    //- Sources listed twice, or as of the other group
     int wrong = 0;
 
     //- Sources listed though out of reach of the box of their cluster
@@ -72,18 +72,26 @@ static listFaults examine
             now.count > width || (upper - lower).maxCoeff() > longest;
 
         std::vector<int> listed(s.size(), 0);
-        const std::uint32_t* const neighbours = list.neighbours(now);
-        for (std::size_t j = now.begin; j < now.end; ++j)
+        const auto look = [&](const std::uint32_t J, const bool asFluid)
         {
-            const int J = int(neighbours[j]);
             faults.wrong += ++listed[J] > 1;
-            faults.wrong += (j < now.fluidEnd) != (J < s.nFluid);
+            faults.wrong += asFluid != (int(J) < s.nFluid);
             const vec outside
             (
                 (lower - s.x[J]).cwiseMax(s.x[J] - upper).cwiseMax(vec::Zero())
             );
             faults.idle += outside.norm() > (1 + 1e-5)*reach;
-        }
+        };
+        list.fluid(now).goThrough([&](const std::uint32_t J)
+        {
+            look(J, true);
+            return true;
+        });
+        list.wall(now).goThrough([&](const std::uint32_t J)
+        {
+            look(J, false);
+            return true;
+        });
         for (int l = 0; l < now.count; ++l)
         {
             for (int J = 0; J < nSources; ++J)
@@ -101,6 +109,79 @@ static listFaults examine
     return faults;
 }
 
+
+// Among so many particles the next source may be farther off than one step reaches
+static void longWays(tally& t)
+{
+    constexpr int n = 66;
+    const double dx = 0.1;
+    const double reach = 4.2*dx;
+
+    randomVectors random(3, 11);
+    std::array<std::vector<double>, 3> x;
+    for (int i = 0; i < n*n*n; ++i)
+    {
+        const vec place
+        (
+            dx*vec(i % n, i/n % n, i/(n*n)) + random.vector(0.3*dx)
+        );
+        for (int k = 0; k < 3; ++k)
+        {
+            x[k].push_back(place[k]);
+        }
+    }
+    ulph::cellGrid grid
+    (
+        std::make_shared<ulph::cellLayout>
+        (
+            3,
+            std::array<double, 3>{-dx, -dx, -dx},
+            std::array<double, 3>{n*dx, n*dx, n*dx},
+            2*dx
+        )
+    );
+    ulph::particleView view{3, n*n*n, {x[0].data(), x[1].data(), x[2].data()}};
+    const std::vector<int> order(grid.sort(view));
+    for (int k = 0; k < 3; ++k)
+    {
+        const std::vector<double> old(x[k]);
+        for (std::size_t i = 0; i < old.size(); ++i)
+        {
+            x[k][i] = old[order[i]];
+        }
+    }
+
+    ulph::clusterList list;
+    const ulph::clusterList::sourceGroup all{&grid, view, 0};
+    list.build(all, 8, reach, 8*dx, {all, {}, {}});
+
+    int faults = 0;
+    int nLong = 0;
+    for (int c = 0; c < list.size(); c += 997)
+    {
+        const ulph::clusterList::cluster& now = list[c];
+        std::vector<int> listed(view.n, 0);
+        const ulph::clusterList::sources fluid(list.fluid(now));
+        nLong += std::count(fluid.firstStep, fluid.lastStep, fluid.onTheWay);
+        fluid.goThrough([&](const std::uint32_t J)
+        {
+            return ++listed[J];
+        });
+        for (int J = 0; J < view.n; ++J)
+        {
+            double nearest = GREAT;
+            for (int i = now.first; i < now.first + now.count; ++i)
+            {
+                const vec r(x[0][J] - x[0][i], x[1][J] - x[1][i], x[2][J] - x[2][i]);
+                nearest = std::min(nearest, r.norm());
+            }
+            faults += listed[J] != (nearest < reach);
+        }
+    }
+    t.check("list of " + std::to_string(view.n) + " particles: faults", faults, 0.0);
+    t.check("it has ways longer than a step", nLong > 10);
+}
+
 } // End namespace Foam
 
 
@@ -108,6 +189,7 @@ static listFaults examine
 
 void Foam::listChecks(tally& t)
 {
+    longWays(t);
     for (const int D : {2, 3})
     {
         for (const bool spray : {false, true})

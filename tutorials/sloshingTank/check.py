@@ -17,7 +17,7 @@ def main(room):
     check = Checks()
     rows = []
     found = runs(room)
-    fixed = {run.dx: run for run in found if run.what == "depth0.5"}
+    fixed = {(run.deep, run.dx): run for run in found if run.what[5:] in ("0.5", "0.6")}
     for run in found:
         case, row = Case(run.folder), {**run.row(), **NOT_COMPARED}
         name = run.folder.name + "."
@@ -30,11 +30,11 @@ def main(room):
             for k in (1, 2, 3):
                 check(name + f"crest{k}.time", row[f"crest{k}Time"], -late, late)
                 check(name + f"crest{k}.height", row[f"crest{k}Height"], -low, low)
-        if run.what == "depth0.6":
+        if run.deep:
             check(name + "rms/largest", row["rms"], None, 0.05)
             check(name + "rms/largest.experiment", row["rmsExperiment"], None, 0.12)
-        if run.what == "movingWalls":
-            other = fixed[run.dx]
+        if run.what.lower().endswith("movingwalls"):
+            other = fixed[run.deep, run.dx]
             row["difference"] = run.difference(other)
             row["differenceTo8s"] = run.difference(other, 8)
             check(name + "difference", row["difference"], None, 0.01)

@@ -2,7 +2,9 @@
 
 import sys
 
-from tank import DEEP_POTENTIAL, EXPERIMENT, GAUGES, POTENTIAL, runs
+from tank import (
+    DEEP_POTENTIAL, EXPERIMENT, GAUGES, POTENTIAL, STARTED_EARLIER, STARTED_POTENTIAL, runs
+)
 from ulphCase import Case, drawBox, drawParticles, pyplot, savePicture
 from ulphStudy import figuresFolder
 
@@ -10,9 +12,10 @@ plt = pyplot()
 
 
 def elevations(found, file):
-    shown = [run for run in found if run.what != "depth0.6"]
-    deep = [run for run in found if run.what == "depth0.6"]
-    figure, axes = plt.subplots(3 if deep else 2, 1, figsize=(9, 7.5 if deep else 5))
+    shown = [run for run in found if not run.deep]
+    deep = [run for run in found if run.deep]
+    number = 4 if deep else 2
+    figure, axes = plt.subplots(number, 1, figsize=(9, 2.5 * number))
     for k, x in enumerate(GAUGES):
         axes[k].plot(POTENTIAL[:, 0], POTENTIAL[:, k + 1], "k-", lw=1, label="potential")
         for run in shown:
@@ -20,15 +23,23 @@ def elevations(found, file):
         axes[k].set(ylabel="elevation [m]", title=f"depth 0.5 m, {x:g} m from the wall")
     axes[0].legend(fontsize=7, loc="upper left")
     if deep:
-        t, eta, _ = DEEP_POTENTIAL.T
-        axes[2].plot(t, eta, "k-", lw=1, label="potential")
-        axes[2].plot(EXPERIMENT[:, 0], EXPERIMENT[:, 1], "k.", ms=3, label="experiment")
-    for run in deep:
-        axes[2].plot(run.times, run.elevations[0], lw=1, label=run.folder.name)
-        axes[2].set(ylabel="elevation [m]", title="depth 0.6 m, T = 1.3 s, 0.05 m")
-        axes[2].legend(fontsize=7, loc="upper left")
+        draw(axes[2], [run for run in deep if not run.started], DEEP_POTENTIAL, 0)
+        started = [run for run in deep if run.started]
+        draw(axes[3], started, STARTED_POTENTIAL, STARTED_EARLIER)
+        axes[3].set(title="likewise, from a tank that starts from its middle")
     axes[-1].set(xlabel="t [s]")
     savePicture(figure, file)
+
+
+def draw(axis, found, potential, later):
+    """Deep water beside potential flow and, some time [s] later, the experiment."""
+    t, eta, _ = potential.T
+    axis.plot(t, eta, "k-", lw=1, label="potential")
+    axis.plot(EXPERIMENT[:, 0] + later, EXPERIMENT[:, 1], "k.", ms=3, label="experiment")
+    for run in found:
+        axis.plot(run.times, run.elevations[0], lw=1, label=run.folder.name)
+    axis.set(ylabel="elevation [m]", title="depth 0.6 m, T = 1.3 s, 0.05 m")
+    axis.legend(fontsize=7, loc="upper left")
 
 
 def pressures(run, file):

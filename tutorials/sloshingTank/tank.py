@@ -12,6 +12,8 @@ from ulphStudy import cost, table
 POTENTIAL = readTable("reference/potential_h0.5_T1.875_A0.032_L1.72.csv")
 DEEP_POTENTIAL = readTable("reference/potential_h0.6_T1.3_A0.032_L1.73.csv")
 EXPERIMENT = readTable("reference/faltinsen2000_h0.6_T1.3_A0.032.csv")
+STARTED_POTENTIAL = readTable("reference/potential_h0.6_started.csv")
+STARTED_EARLIER = 1.3 / 4  # than the record of the experiment [s]
 GAUGES = (0.05, 0.5)  # from the left wall [m]
 
 
@@ -33,7 +35,9 @@ class Run:
         self.folder = pathlib.Path(folder)
         self.what, _, spacing = self.folder.name.partition("-dx")
         self.dx = float(spacing)
-        self.depth = 0.6 if self.what == "depth0.6" else 0.5
+        self.deep = self.what.startswith("depth0.6")
+        self.started = self.what.endswith("Started")
+        self.depth = 0.6 if self.deep else 0.5
         columns = table(folder, "elevation")
         self.times = columns["Time"]
         self.elevations = [columns[f"highest_{k}"] - self.depth for k in (0, 1)]
@@ -51,10 +55,11 @@ class Run:
             rows.append((self.times[i] - t, self.elevations[0][i] / height - 1))
         return np.array(rows).reshape(-1, 2)
 
-    def rms(self, reference):
-        """Root mean square error at gauge 0 over the largest reference elevation."""
-        t, eta = reference[:, 0], reference[:, 1]
-        inside = t <= min(9.9, self.times[-1])
+    def rms(self, reference, first=0, later=0):
+        """Root mean square error at gauge 0 over the largest reference elevation, from
+        a first time [s] of the reference, which this run shows later [s]."""
+        t, eta = reference[:, 0] + later, reference[:, 1]
+        inside = (t >= first + later) & (t <= min(9.9 + later, self.times[-1]))
         error = np.interp(t[inside], self.times, self.elevations[0]) - eta[inside]
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
 
@@ -77,12 +82,20 @@ class Run:
             known = k < len(errors)
             row[f"crest{k + 1}Time"] = float(errors[k, 0]) if known else np.nan
             row[f"crest{k + 1}Height"] = float(errors[k, 1]) if known else np.nan
-        deep = self.what == "depth0.6"
+        potential = (
+            STARTED_POTENTIAL if self.started
+            else DEEP_POTENTIAL if self.deep
+            else POTENTIAL
+        )
+        later = STARTED_EARLIER if self.started else 0
         volume = self.moments["volume"]
         return {
             **row,
-            "rms": float(self.rms(DEEP_POTENTIAL if deep else POTENTIAL)),
-            "rmsExperiment": float(self.rms(EXPERIMENT)) if deep else np.nan,
+            "rms": float(self.rms(potential)),
+            **{
+                name: float(self.rms(EXPERIMENT, first, later)) if self.deep else np.nan
+                for name, first in (("rmsExperiment", 0), ("rmsExperimentFrom4s", 4))
+            },
             "volumeDrift": float(np.abs(volume / volume[0] - 1).max()),
             **cost(self.folder),
         }
