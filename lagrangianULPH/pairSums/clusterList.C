@@ -82,6 +82,8 @@ public:
         {
             x[k] = float(p.x[k][j] - centre_[k]);
         }
+        // No way out between the rows: it would be guessed wrong too often
+        lane nearest = std::numeric_limits<float>::max();
         for (int r = 0; r < nRows_; ++r)
         {
             lane d2 = 0;
@@ -90,12 +92,9 @@ public:
                 const lane d = x_[k][r] - x[k];
                 d2 += d*d;
             }
-            if (any_of(d2 < reach2))
-            {
-                return true;
-            }
+            nearest = min(nearest, d2);
         }
-        return false;
+        return any_of(nearest < reach2);
     }
 };
 

@@ -108,19 +108,26 @@ Foam::rightHandSide::rightHandSide
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::rightHandSide::updateNeighbours(const scalar t)
+bool Foam::rightHandSide::updateNeighbours(const scalar t)
 {
     ledger::section timer(ledger_, "neighbours");
     wall_.move(t);
-    if (search_.update())
+    const bool made = search_.update();
+    if (made)
     {
         wall_.firstRecord = search_.firstWall();
         contact_.update(search_);
     }
+    return made;
 }
 
 
-void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
+void Foam::rightHandSide::geometry
+(
+    const scalar t,
+    const scalar ahead,
+    const bool keepSurface
+)
 {
     wall_.setTime(t, t - ahead);
     {
@@ -158,7 +165,7 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
             search_.fluidList(), {}, schedule_.geometrySums(), sink
         );
     }
-    if (!surfaceFirst && !models_.surface->off())
+    if (!surfaceFirst && !keepSurface && !models_.surface->off())
     {
         findSurface();
     }

@@ -48,8 +48,8 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.kick(t, 0.5*dt);
     tools.advanceDensity(0, 0.5*dt);
 
-    tools.updateNeighbours(t + 0.5*dt);
-    rates.geometry(t + 0.5*dt);
+    const bool newLists = tools.updateNeighbours(t + 0.5*dt);
+    rates.geometry(t + 0.5*dt, 0, !newLists);
     rates.force(t + 0.5*dt, false);
 
     tools.advanceSaved(t, dt);

@@ -87,13 +87,13 @@ void Foam::stepTools::measureSpeed(const scalar t)
 }
 
 
-void Foam::stepTools::updateNeighbours(const scalar t)
+bool Foam::stepTools::updateNeighbours(const scalar t)
 {
     energyBudget::change work
     (
         contactBudget(), energyBudget::contact, &energyBudget::potential
     );
-    rates_.updateNeighbours(t);
+    return rates_.updateNeighbours(t);
 }
 
 
