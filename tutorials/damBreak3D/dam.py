@@ -21,8 +21,10 @@ FRONT = readTable("reference/lobovsky2014_front_H300.csv")
 PRESSURES = [
     readTable(f"reference/lobovsky2014_H300_sensor{k}.csv") for k in (1, 2)
 ]
-# Pressures of a two-phase finite-volume solution in 2D with slip walls
+# Pressures of two-phase finite-volume solutions in 2D, with slip walls, and turbulent
+# with friction at the walls
 FINITE_VOLUME = readTable("reference/interFoam_slip_sensors.csv")
+TURBULENT = readTable("reference/interFoam_turbulent_sensors.csv")
 
 
 def plateau(t, p):

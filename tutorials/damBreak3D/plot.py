@@ -3,7 +3,9 @@
 import sys
 
 import numpy as np
-from dam import FINITE_VOLUME, FRONT, POTENTIAL, PRESSURES, SENSORS, delay, runs
+from dam import (
+    FINITE_VOLUME, FRONT, POTENTIAL, PRESSURES, SENSORS, TURBULENT, delay, runs
+)
 from ulphCase import drawBox, drawParticles, pyplot, savePicture
 from ulphStudy import figuresFolder
 
@@ -24,10 +26,13 @@ def curves(found, file):
         t, low, median, high = PRESSURES[k].T
         axes[k + 1].fill_between(t - late, low, high, color="0.85", lw=0)
         axes[k + 1].plot(t - late, median, "k-", lw=0.8)
-        axes[k + 1].plot(
-            FINITE_VOLUME[:, 0], FINITE_VOLUME[:, k + 1], "k--", lw=0.8,
-            label="interFoam, 2D",
-        )
+        for solution, line, what in (
+            (FINITE_VOLUME, "k--", "interFoam, 2D"),
+            (TURBULENT, "k:", "interFoam, 2D, turbulent"),
+        ):
+            axes[k + 1].plot(
+                solution[:, 0], solution[:, k + 1], line, lw=0.8, label=what
+            )
         for run in found:
             axes[k + 1].plot(run.times, run.pressures[k], lw=0.8, label=run.folder.name)
         axes[k + 1].set(

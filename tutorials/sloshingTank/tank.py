@@ -63,17 +63,16 @@ class Run:
         error = np.interp(t[inside], self.times, self.elevations[0]) - eta[inside]
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
 
-    def difference(self, other, end=np.inf):
-        """Largest difference of the elevations from another run's up to a time [s],
-        over its maximum."""
-        end = min(self.times[-1], other.times[-1], end)
-        t = np.linspace(0, end, 2001)
-        largest = []
+    def differences(self, other):
+        """Times [s] and the differences of the elevations from another run's, the
+        larger one over its maximum."""
+        t = np.linspace(0, min(self.times[-1], other.times[-1]), 2001)
+        apart = []
         for own, others in zip(self.elevations, other.elevations):
             others = np.interp(t, other.times, others)
-            apart = np.interp(t, self.times, own) - others
-            largest.append(np.abs(apart).max() / np.abs(others).max())
-        return max(largest)
+            own = np.interp(t, self.times, own)
+            apart.append(np.abs(own - others) / np.abs(others).max())
+        return t, np.max(apart, axis=0)
 
     def row(self):
         errors = self.crestErrors() if self.what == "depth0.5" else np.zeros((0, 2))
