@@ -110,7 +110,32 @@ static listFaults examine
 }
 
 
-// Among so many particles the next source may be farther off than one step reaches
+//- Traces of the moment matrices, sum w V |x|^2
+class momentTraces
+:
+    public ulph::sumSink<ulph::geometryBlock>
+{
+public:
+
+    std::vector<double> trace;
+
+    explicit momentTraces(const int n)
+    :
+        trace(n, 0)
+    {}
+
+    void take(const ulph::geometryBlock& sums) override
+    {
+        for (int l = 0; l < sums.count; ++l)
+        {
+            trace[sums.first + l] = sums.M[0][l] + sums.M[3][l] + sums.M[5][l];
+        }
+    }
+};
+
+
+// Among so many particles the next source may be farther off than one step reaches,
+// and what lies between must not count: packed positions wrap around
 static void longWays(tally& t)
 {
     constexpr int n = 66;
@@ -151,12 +176,32 @@ static void longWays(tally& t)
         }
     }
 
+    const auto sums(ulph::pairSums::New("WendlandC2", true, 3, 4*dx));
+    sums->resize(view.n);
+    for (int first = 0; first < view.n; first += ulph::maxLanes)
+    {
+        ulph::geometryTile tile = {};
+        const int count = std::min(ulph::maxLanes, view.n - first);
+        for (int l = 0; l < count; ++l)
+        {
+            tile.V[l] = 1;
+            for (int k = 0; k < 3; ++k)
+            {
+                tile.x[k][l] = x[k][first + l];
+            }
+        }
+        sums->pack(first, count, tile);
+    }
+
     ulph::clusterList list;
     const ulph::clusterList::sourceGroup all{&grid, view, 0};
-    list.build(all, 8, reach, 8*dx, {all, {}, {}});
+    list.build(all, sums->width(), reach, 8*dx, {all, {}, {}});
+    momentTraces passed(view.n);
+    sums->geometry(list, {}, ulph::momentSums, passed);
 
     int faults = 0;
     int nLong = 0;
+    double worst = 0;
     for (int c = 0; c < list.size(); c += 997)
     {
         const ulph::clusterList::cluster& now = list[c];
@@ -167,19 +212,31 @@ static void longWays(tally& t)
         {
             return ++listed[J];
         });
+        std::vector<double> trace(now.count, 0);
         for (int J = 0; J < view.n; ++J)
         {
             double nearest = GREAT;
-            for (int i = now.first; i < now.first + now.count; ++i)
+            for (int l = 0; l < now.count; ++l)
             {
+                const int i = now.first + l;
                 const vec r(x[0][J] - x[0][i], x[1][J] - x[1][i], x[2][J] - x[2][i]);
                 nearest = std::min(nearest, r.norm());
+                trace[l] += sums->weight(r.norm())*r.squaredNorm();
             }
             faults += listed[J] != (nearest < reach);
         }
+        for (int l = 0; l < now.count; ++l)
+        {
+            worst = std::max
+            (
+                worst, std::abs(passed.trace[now.first + l]/trace[l] - 1)
+            );
+        }
     }
-    t.check("list of " + std::to_string(view.n) + " particles: faults", faults, 0.0);
-    t.check("it has ways longer than a step", nLong > 10);
+    const std::string what("list of " + std::to_string(view.n) + " particles: ");
+    t.check(what + "faults", faults, 0.0);
+    t.check(what + "ways longer than a step", nLong > 10);
+    t.check(what + "moments in mixed precision", worst, 1e-5);
 }
 
 } // End namespace Foam
