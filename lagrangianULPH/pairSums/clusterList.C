@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "clusterList.H"
+#include "indexList.H"
+#include "orderedSet.H"
 #include "simd.H"
 
 #include <algorithm>
@@ -145,98 +147,6 @@ void makeRoom
         steps.reserve(std::max(expected + expected/64, size + size/32));
     }
 }
-
-// Indices as they are found: a vector that grows ahead, as push_back takes longer
-// than to look at a particle
-class indexList
-{
-    std::vector<std::uint32_t> indices_;
-    int n_ = 0;
-
-public:
-
-    void clear()
-    {
-        n_ = 0;
-    }
-
-    //- Append those of n candidates from first on that pass
-    template<class Test>
-    void appendIf(const std::uint32_t first, const int n, const Test& passes)
-    {
-        if (indices_.size() < std::size_t(n_ + n))
-        {
-            indices_.resize(2*(n_ + n));
-        }
-        std::uint32_t* const index = indices_.data();
-        int size = n_;
-        for (int i = 0; i < n; ++i)
-        {
-            index[size] = first + i;
-            size += passes(i);
-        }
-        n_ = size;
-    }
-
-    //- Append the steps over the indices, which are in order
-    //  \return the first
-    std::uint32_t appendTo(std::vector<clusterList::sources::step>& steps) const
-    {
-        constexpr std::uint32_t longest = clusterList::sources::onTheWay;
-        const std::uint32_t first = n_ ? indices_[0] : 0;
-        std::uint32_t at = first;
-        for (int i = 0; i < n_; ++i)
-        {
-            std::uint32_t way = indices_[i] - at;
-            for (; way >= longest; way -= longest)
-            {
-                steps.push_back(longest);
-            }
-            steps.push_back(clusterList::sources::step(way));
-            at = indices_[i];
-        }
-        return first;
-    }
-};
-
-// Numbers below a limit, to be gone through in order: bits, and a bit for each word of
-// these that is not zero
-class orderedSet
-{
-    std::vector<std::uint64_t> words_;
-    std::vector<std::uint64_t> used_;
-
-public:
-
-    void resize(const int limit)
-    {
-        words_.resize(limit/64 + 1, 0);
-        used_.resize(limit/4096 + 1, 0);
-    }
-
-    void insert(const int i)
-    {
-        words_[i/64] |= std::uint64_t(1) << i % 64;
-        used_[i/4096] |= std::uint64_t(1) << i/64 % 64;
-    }
-
-    //- Call f for each and take it out
-    template<class Function>
-    void drain(const Function& f)
-    {
-        for (std::size_t u = 0; u < used_.size(); ++u)
-        {
-            for (; used_[u]; used_[u] &= used_[u] - 1)
-            {
-                const std::size_t w = 64*u + __builtin_ctzll(used_[u]);
-                for (; words_[w]; words_[w] &= words_[w] - 1)
-                {
-                    f(int(64*w) + __builtin_ctzll(words_[w]));
-                }
-            }
-        }
-    }
-};
 
 // Places along the curve of the cells with particles nearer than reach to a box
 template<int D>
