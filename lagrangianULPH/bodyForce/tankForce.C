@@ -36,16 +36,37 @@ Foam::bodyForces::tankForce::tankForce
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::linearMap Foam::bodyForces::tankForce::at(const scalar t) const
+Foam::linearMap Foam::bodyForces::tankForce::withGravity
+(
+    linearMap f,
+    const scalar t
+) const
 {
-    linearMap f(motion_.inertia(t));
     if (gravity_)
     {
         f.constant += motion_.rotation(t).T() & gravity_->at(t).constant;
     }
     return f;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::linearMap Foam::bodyForces::tankForce::at(const scalar t) const
+{
+    return withGravity(motion_.inertia(t), t);
+}
+
+
+Foam::linearMap Foam::bodyForces::tankForce::mean
+(
+    const scalar first,
+    const scalar last
+) const
+{
+    return withGravity(motion_.meanInertia(first, last), 0.5*(first + last));
 }
 
 

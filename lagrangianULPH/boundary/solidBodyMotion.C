@@ -164,4 +164,23 @@ Foam::linearMap Foam::solidBodyMotion::inertia(const scalar t) const
 }
 
 
+Foam::linearMap Foam::solidBodyMotion::meanInertia
+(
+    const scalar first,
+    const scalar last
+) const
+{
+    linearMap mean(inertia(0.5*(first + last)));
+    if (first < last)
+    {
+        const tensor perTime(rotation(0.5*(first + last)).T()/(last - first));
+        const linearMap before(groundVelocity(first));
+        const linearMap after(groundVelocity(last));
+        mean.constant = perTime & (before.constant - after.constant);
+        mean.perLength = perTime & (before.perLength - after.perLength);
+    }
+    return mean;
+}
+
+
 // ************************************************************************* //

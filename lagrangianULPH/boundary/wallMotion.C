@@ -73,20 +73,19 @@ Foam::linearMap Foam::wallMotion::atRest
 Foam::linearMap Foam::wallMotion::drift
 (
     const scalar t,
-    const scalar dt
+    const scalar dt,
+    const scalar tVelocity
 ) const
 {
     if (!motion_)
     {
         return {Zero, tensor::I, dt*tensor::I};
     }
-    const solidBodyMotion::place before(motion_->at(t));
-    const solidBodyMotion::place after(motion_->at(t + dt));
-    const tensor toTank(after.axes.T());
+    const tensor toTank(motion_->rotation(t + dt).T());
     return
     {
-        toTank & (before.origin - after.origin),
-        toTank & before.axes,
+        -dt*(toTank & motion_->groundVelocity(tVelocity).constant),
+        toTank & motion_->rotation(t),
         dt*(toTank & motion_->rotation(t + 0.5*dt))
     };
 }

@@ -179,12 +179,13 @@ Foam::particleField& Foam::ulphCloud::require
 Foam::particleField& Foam::ulphCloud::requireState
 (
     const word& name,
-    const int nComponents
+    const int nComponents,
+    const bool single
 )
 {
     if (!state_.found(name))
     {
-        state_.set(name, new particleField(nComponents, false));
+        state_.set(name, new particleField(nComponents, single));
         state_[name]->reset(total());
     }
     return *state_[name];

@@ -172,7 +172,12 @@ void Foam::rightHandSide::geometry
 }
 
 
-void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
+void Foam::rightHandSide::force
+(
+    const scalar first,
+    const scalar last,
+    const bool densityChanged
+)
 {
     if (densityChanged)
     {
@@ -233,7 +238,7 @@ void Foam::rightHandSide::force(const scalar t, const bool densityChanged)
     timer.addPairs(search_.fluidList().nPairs());
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    forceSink sink(cloud_, models_, bodyForce(t));
+    forceSink sink(cloud_, models_, bodyForce(first, last));
     search_.sums().force
     (
         search_.fluidList(), schedule_.forceSums(), viscous, sink

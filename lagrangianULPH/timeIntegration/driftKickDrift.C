@@ -54,15 +54,15 @@ void Foam::timeIntegrations::driftKickDrift::advance
     rightHandSide& rates = tools.rates();
     const scalar half = 0.5*dt;
 
-    tools.drift(t, half);
+    tools.drift(t, half, t);
     tools.updateNeighbours(t + half);
     rates.geometry(t + half, half);
     tools.advanceDensity(tools.densityLag(), half);
     tools.setDensityLag(half);
-    rates.force(t + half, true);
-    tools.kick(t, dt, rates.bodyForce(t + half).perVelocity);
+    rates.force(t, t + dt, true);
+    tools.kick(t, dt, rates.bodyForce(t, t + dt).perVelocity);
     rates.divergence(t + half, half);
-    tools.drift(t + half, half);
+    tools.drift(t + half, half, t + dt);
     tools.shift(t + dt, dt);
 }
 

@@ -41,16 +41,16 @@ void Foam::timeIntegrations::predictorCorrector::advance
 
     tools.updateNeighbours(t);
     rates.geometry(t);
-    rates.force(t, false);
+    rates.force(t, t + 0.5*dt, false);
 
-    tools.save();
-    tools.drift(t, 0.5*dt);
+    tools.drift(t, 0.5*dt, t);
+    tools.save(0.5*dt);
     tools.kick(t, 0.5*dt);
     tools.advanceDensity(0, 0.5*dt);
 
     const bool newLists = tools.updateNeighbours(t + 0.5*dt);
     rates.geometry(t + 0.5*dt, 0, !newLists);
-    rates.force(t + 0.5*dt, false);
+    rates.force(t, t + dt, false);
 
     tools.advanceSaved(t, dt);
     tools.shift(t + dt, dt);

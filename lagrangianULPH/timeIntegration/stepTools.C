@@ -97,7 +97,12 @@ bool Foam::stepTools::updateNeighbours(const scalar t)
 }
 
 
-void Foam::stepTools::drift(const scalar t, const scalar dt)
+void Foam::stepTools::drift
+(
+    const scalar t,
+    const scalar dt,
+    const scalar tVelocity
+)
 {
     ledger::section timer(rates_.times(), "integration");
     ulphCloud& cloud = rates_.cloud();
@@ -106,10 +111,10 @@ void Foam::stepTools::drift(const scalar t, const scalar dt)
         (
             contactBudget(), energyBudget::contact, &energyBudget::kinetic
         );
-        contact_.limitVelocity(t, dt, motion_.velocity(t + 0.5*dt));
+        contact_.limitVelocity(t, dt, motion_.velocity(tVelocity));
     }
 
-    const linearMap drifted(motion_.drift(t, dt));
+    const linearMap drifted(motion_.drift(t, dt, tVelocity));
     forTiles(cloud.size(), [&](const label first, const label n)
     {
         ulph::laneRow x[3];

@@ -5,20 +5,59 @@
 
 #include "stepTools.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Add a multiple of one field to another, a tile of both
+static void addTo
+(
+    const particleField& from,
+    const scalar s,
+    const label first,
+    const label n,
+    particleField& to
+)
+{
+    ulph::laneRow rows[3];
+    ulph::laneRow added[3];
+    to.load(first, n, rows);
+    from.load(first, n, added);
+    for (int c = 0; c < to.nComponents(); ++c)
+    {
+        ulph::forLanes(n, [&](const int l) { rows[c][l] += s*added[c][l]; });
+    }
+    to.store(first, n, rows);
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::array<Foam::stepTools::savedField, 3> Foam::stepTools::savedFields
-(
-    const word& copy
-)
+std::array<Foam::stepTools::keptField, 3> Foam::stepTools::keptFields()
 {
     ulphCloud& cloud = rates_.cloud();
     return
     {{
-        {cloud.x(), cloud.requireState("x" + copy, cloud.D())},
-        {cloud.v(), cloud.requireState("v" + copy, cloud.D())},
-        {cloud.densityExcess(), cloud.requireState("densityExcess" + copy, 1)}
+        {cloud.x(), cloud.requireState("xKept", cloud.D())},
+        {cloud.v(), cloud.requireState("vKept", cloud.D())},
+        {cloud.densityExcess(), cloud.requireState("densityExcessKept", 1)}
     }};
+}
+
+
+Foam::particleField& Foam::stepTools::toSavedVelocity()
+{
+    ulphCloud& cloud = rates_.cloud();
+    return cloud.requireState("toSavedV", cloud.D(), cloud.shared().mixed);
+}
+
+
+Foam::particleField& Foam::stepTools::toSavedDensity()
+{
+    return rates_.cloud().requireState("toSavedDensityExcess", 1);
 }
 
 
@@ -30,9 +69,9 @@ void Foam::stepTools::keep(const scalar dt)
     densityLagKept_ = densityLag_;
     if (kept_)
     {
-        for (const savedField& field : savedFields("Kept"))
+        for (const keptField& field : keptFields())
         {
-            field.saved = field.now;
+            field.kept = field.now;
         }
     }
 }
@@ -42,9 +81,9 @@ bool Foam::stepTools::restore()
 {
     if (kept_)
     {
-        for (const savedField& field : savedFields("Kept"))
+        for (const keptField& field : keptFields())
         {
-            field.now = field.saved;
+            field.now = field.kept;
         }
         densityLag_ = densityLagKept_;
     }
@@ -52,51 +91,57 @@ bool Foam::stepTools::restore()
 }
 
 
-void Foam::stepTools::save()
+void Foam::stepTools::save(const scalar half)
 {
-    for (const savedField& field : savedFields("Saved"))
+    ulphCloud& cloud = rates_.cloud();
+    toSavedDensity() = cloud.densityExcess();
+
+    const particleField& a = *cloud.derived("acceleration");
+    particleField& toSavedV = toSavedVelocity();
+    forTiles(cloud.size(), [&](const label first, const label n)
     {
-        field.saved = field.now;
-    }
+        ulph::laneRow change[3];
+        a.load(first, n, change);
+        for (int k = 0; k < cloud.D(); ++k)
+        {
+            ulph::forLanes(n, [&](const int l) { change[k][l] *= -half; });
+        }
+        toSavedV.store(first, n, change);
+    });
     predicting_ = true;
 }
 
 
 void Foam::stepTools::advanceSaved(const scalar t, const scalar dt)
 {
-    const auto addTo = [](const particleField& from, const scalar s, particleField& to)
-    {
-        for (int c = 0; c < to.nComponents(); ++c)
-        {
-            double* const y = to.component(c);
-            const double* const x = from.component(c);
+    ulphCloud& cloud = rates_.cloud();
+    const particleField& toSavedV = toSavedVelocity();
+    particleField& toSavedRho1 = toSavedDensity();
+    const linearMap back(motion_.drift(t, 0.5*dt, t).back());
 
-            #pragma omp parallel for schedule(static)
-            for (label i = 0; i < to.size(); ++i)
-            {
-                y[i] += s*x[i];
-            }
-        }
-    };
-
-    const std::array<savedField, 3> fields(savedFields("Saved"));
-    for (const savedField& field : fields)
+    forTiles(cloud.size(), [&](const label first, const label n)
     {
-        addTo(field.now, -1, field.saved);
-    }
+        addTo(cloud.densityExcess(), -1, first, n, toSavedRho1);
+        addTo(toSavedV, 1, first, n, cloud.v());
+        ulph::laneRow x[3];
+        back.rows(cloud, cloud.x(), &cloud.v(), first, n, x);
+        cloud.x().store(first, n, x);
+        addTo(toSavedV, -1, first, n, cloud.v());
+    });
     predicting_ = false;
     if (energyBudget* const book = budget())
     {
-        book->setOffset(&fields[1].saved, &fields[2].saved);
+        book->setOffset(&toSavedV, &toSavedRho1);
     }
 
-    drift(t, dt);
+    drift(t, dt, t + 0.5*dt);
     advanceDensity(0, dt);
     kick(t, dt);
-    for (const savedField& field : fields)
+    forTiles(cloud.size(), [&](const label first, const label n)
     {
-        addTo(field.saved, 1, field.now);
-    }
+        addTo(toSavedV, 1, first, n, cloud.v());
+        addTo(toSavedRho1, 1, first, n, cloud.densityExcess());
+    });
     if (energyBudget* const book = budget())
     {
         book->setOffset(nullptr, nullptr);

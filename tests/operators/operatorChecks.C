@@ -281,7 +281,7 @@ static void splitChecks(tally& t, const scene& where)
 
     library.rates.updateNeighbours(0);
     library.rates.geometry(0);
-    library.rates.force(0, true);
+    library.rates.force(0, 0, true);
 
     // The force pass sees the old velocity, the divergence pass the new one
     const literal before(library, choice.printed);

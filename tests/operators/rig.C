@@ -153,7 +153,7 @@ void Foam::rig::evaluate()
 {
     rates.updateNeighbours(0);
     rates.geometry(0);
-    rates.force(0, false);
+    rates.force(0, 0, false);
 }
 
 
