@@ -76,13 +76,6 @@ void Foam::rightHandSide::updateWalls(const bool firstAtPositions)
 }
 
 
-void Foam::rightHandSide::findSurface()
-{
-    ledger::section timer(ledger_, "surface");
-    models_.surface->detect(search_);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::rightHandSide::rightHandSide
@@ -122,12 +115,7 @@ bool Foam::rightHandSide::updateNeighbours(const scalar t)
 }
 
 
-void Foam::rightHandSide::geometry
-(
-    const scalar t,
-    const scalar ahead,
-    const bool keepSurface
-)
+void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
 {
     wall_.setTime(t, t - ahead);
     {
@@ -147,8 +135,8 @@ void Foam::rightHandSide::geometry
             (
                 search_.fluidList(), {}, ulph::momentSums, sink
             );
+            models_.surface->detect(search_);
         }
-        findSurface();
         ledger::section timer(ledger_, "pack");
         packFluid();
     }
@@ -165,9 +153,15 @@ void Foam::rightHandSide::geometry
             search_.fluidList(), {}, schedule_.geometrySums(), sink
         );
     }
-    if (!surfaceFirst && !keepSurface && !models_.surface->off())
+}
+
+
+void Foam::rightHandSide::findSurface()
+{
+    if (!models_.surface->off() && !models_.moment->needsSurface())
     {
-        findSurface();
+        ledger::section timer(ledger_, "surface");
+        models_.surface->detect(search_);
     }
 }
 

@@ -217,6 +217,7 @@ void Foam::ulphSolver::evaluate()
 {
     rates_.updateNeighbours(time_.value());
     rates_.geometry(time_.value());
+    rates_.findSurface();
     rates_.force(time_.value(), time_.value(), false);
 }
 

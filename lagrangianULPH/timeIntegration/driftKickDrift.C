@@ -57,6 +57,7 @@ void Foam::timeIntegrations::driftKickDrift::advance
     tools.drift(t, half, t);
     tools.updateNeighbours(t + half);
     rates.geometry(t + half, half);
+    rates.findSurface();
     tools.advanceDensity(tools.densityLag(), half);
     tools.setDensityLag(half);
     rates.force(t, t + dt, true);

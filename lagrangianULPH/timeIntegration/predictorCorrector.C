@@ -41,6 +41,7 @@ void Foam::timeIntegrations::predictorCorrector::advance
 
     tools.updateNeighbours(t);
     rates.geometry(t);
+    rates.findSurface();
     rates.force(t, t + 0.5*dt, false);
 
     tools.drift(t, 0.5*dt, t);
@@ -49,7 +50,11 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.advanceDensity(0, 0.5*dt);
 
     const bool newLists = tools.updateNeighbours(t + 0.5*dt);
-    rates.geometry(t + 0.5*dt, 0, !newLists);
+    rates.geometry(t + 0.5*dt);
+    if (newLists)
+    {
+        rates.findSurface();
+    }
     rates.force(t, t + dt, false);
 
     tools.advanceSaved(t, dt);

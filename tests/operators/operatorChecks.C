@@ -281,6 +281,7 @@ static void splitChecks(tally& t, const scene& where)
 
     library.rates.updateNeighbours(0);
     library.rates.geometry(0);
+    library.rates.findSurface();
     library.rates.force(0, 0, true);
 
     // The force pass sees the old velocity, the divergence pass the new one

@@ -153,6 +153,7 @@ void Foam::rig::evaluate()
 {
     rates.updateNeighbours(0);
     rates.geometry(0);
+    rates.findSurface();
     rates.force(0, 0, false);
 }
 

@@ -12,7 +12,7 @@ plt = pyplot()
 
 
 def elevations(found, file):
-    shown = [run for run in found if not run.deep]
+    shown = [run for run in found if not run.deep and not run.nudged]
     deep = [run for run in found if run.deep]
     number = 4 if deep else 2
     figure, axes = plt.subplots(number, 1, figsize=(9, 2.5 * number))

@@ -14,6 +14,7 @@ DEEP_POTENTIAL = readTable("reference/potential_h0.6_T1.3_A0.032_L1.73.csv")
 EXPERIMENT = readTable("reference/faltinsen2000_h0.6_T1.3_A0.032.csv")
 STARTED_POTENTIAL = readTable("reference/potential_h0.6_started.csv")
 STARTED_EARLIER = 1.3 / 4  # than the record of the experiment [s]
+BREAKS = 7  # the wave of depth 0.5 m [s]
 GAUGES = (0.05, 0.5)  # from the left wall [m]
 
 
@@ -37,6 +38,8 @@ class Run:
         self.dx = float(spacing)
         self.deep = self.what.startswith("depth0.6")
         self.started = self.what.endswith("Started")
+        self.movingWalls = self.what.lower().endswith("movingwalls")
+        self.nudged = self.what == "nudged"
         self.depth = 0.6 if self.deep else 0.5
         columns = table(folder, "elevation")
         self.times = columns["Time"]
@@ -64,15 +67,17 @@ class Run:
         return np.sqrt((error**2).mean()) / np.abs(eta).max()
 
     def differences(self, other):
-        """Times [s] and the differences of the elevations from another run's, the
-        larger one over its maximum."""
+        """Largest difference of the elevations from another run's, over the maximum
+        of its gauge, before the wave breaks and to the end."""
         t = np.linspace(0, min(self.times[-1], other.times[-1]), 2001)
         apart = []
         for own, others in zip(self.elevations, other.elevations):
             others = np.interp(t, other.times, others)
             own = np.interp(t, self.times, own)
             apart.append(np.abs(own - others) / np.abs(others).max())
-        return t, np.max(apart, axis=0)
+        apart = np.max(apart, axis=0)
+        smooth = t <= (t[-1] if self.deep else BREAKS)
+        return float(apart[smooth].max()), float(apart.max())
 
     def row(self):
         errors = self.crestErrors() if self.what == "depth0.5" else np.zeros((0, 2))
