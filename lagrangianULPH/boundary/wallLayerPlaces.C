@@ -47,6 +47,7 @@ void Foam::wallLayer::markOccupied
     };
 
     occupied_.assign(cells.nCells(), 0);
+    #pragma omp parallel for schedule(static)
     for (int k = 0; k < n[2]; ++k)
     {
         for (int j = 0; j < n[1]; ++j)
@@ -62,14 +63,14 @@ void Foam::wallLayer::markOccupied
     // Spread by the reach, one direction after the other
     const int width = int(std::ceil(reach/cells.size()));
     const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0])*n[1]};
-    std::vector<unsigned char> line;
     for (int d = 0; d < cells.D(); ++d)
     {
         const int e = (d + 1)%3;
         const int f = (d + 2)%3;
-        line.resize(n[d]);
+        #pragma omp parallel for schedule(static)
         for (int b = 0; b < n[f]; ++b)
         {
+            std::vector<unsigned char> line(n[d]);
             for (int a = 0; a < n[e]; ++a)
             {
                 unsigned char* const cell =
@@ -145,10 +146,16 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
         }
         const wallParticleSet& all = bodies_[b].particles().active();
         const std::size_t first = chosen_.size();
+        near_.resize(all.size());
+        #pragma omp parallel for schedule(static)
         for (label i = 0; i < all.size(); ++i)
         {
             const point p(placed_[b].toGround(all.position[i]));
-            if (inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p)))
+            near_[i] = inReach(cells, boundBox(p, p)) && (b == 0 || !before.any(p));
+        }
+        for (label i = 0; i < all.size(); ++i)
+        {
+            if (near_[i])
             {
                 chosen_.push_back(i);
             }
@@ -165,6 +172,7 @@ void Foam::wallLayer::gather(const ulph::cellLayout& cells)
     {
         field->reset(n);
     }
+    #pragma omp parallel for schedule(static)
     for (label i = 0; i < n; ++i)
     {
         const wallParticleSet& all = bodies_[body_[i]].particles().active();
@@ -317,6 +325,7 @@ void Foam::wallLayer::permute(const std::vector<int>& order)
     for (std::vector<int>* const values : {&chosen_, &body_})
     {
         before_ = *values;
+        #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < order.size(); ++i)
         {
             (*values)[i] = before_[order[i]];
