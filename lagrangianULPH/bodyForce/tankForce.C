@@ -27,7 +27,7 @@ Foam::bodyForces::tankForce::tankForce
     const ulphCloud& cloud
 )
 :
-    motion_(dict, cloud.mesh())
+    motion_(dict, cloud.mesh(), true)
 {
     if (dict.getOrDefault("gravity", true))
     {

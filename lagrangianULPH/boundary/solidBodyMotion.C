@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBodyMotion.H"
+#include "cyclicPolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -67,10 +68,20 @@ Type Foam::solidBodyMotion::secondRate(const FixedList<place, 5>& all, Type plac
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::solidBodyMotion::solidBodyMotion(const dictionary& dict, const polyMesh& mesh)
+Foam::solidBodyMotion::solidBodyMotion
+(
+    const dictionary& dict,
+    const polyMesh& mesh,
+    const bool wholeTank
+)
 :
     mesh_(mesh),
     dict_(dict),
+    cyclicTank_
+    (
+        wholeTank
+     && mesh.boundaryMesh().findPatchIDs<cyclicPolyPatch>().size()
+    ),
     t0_(dict.getOrDefault<scalar>("t0", 0)),
     clock_
     (
@@ -113,6 +124,17 @@ Foam::solidBodyMotion::place Foam::solidBodyMotion::at(const scalar t) const
                 << "    Choose an axis across the empty patches, or a "
                 << "motion that does not turn, for instance "
                 << "oscillatingLinearMotion."
+                << exit(FatalIOError);
+        }
+        if (cyclicTank_ && mag(turned - axis) > ROOTSMALL)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "solidBodyMotionFunction " << function_->type()
+                << " turns, at time " << t << " s, a tank whose flow repeats itself: "
+                << "what is pushed outwards at one cyclic patch would be pushed "
+                << "inwards at the other." << nl
+                << "    Choose a motion that does not turn, for instance "
+                << "oscillatingLinearMotion, or make the cyclic patches walls."
                 << exit(FatalIOError);
         }
         for (direction k = 0; k < vector::nComponents; ++k)

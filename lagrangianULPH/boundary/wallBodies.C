@@ -95,7 +95,7 @@ Foam::wallBodies::wallBodies
                 mesh,
                 [&](const polyPatch& pp) { return patches.found(pp.index()); },
                 dx,
-                autoPtr<solidBodyMotion>(new solidBodyMotion(entries, mesh))
+                autoPtr<solidBodyMotion>(new solidBodyMotion(entries, mesh, false))
             )
         );
     }

@@ -20,7 +20,7 @@ Foam::wallMotion::wallMotion
     {
         if (dict.size())
         {
-            motion_.reset(new solidBodyMotion(dict, mesh));
+            motion_.reset(new solidBodyMotion(dict, mesh, true));
         }
     }
     else if (dict.found("solidBodyMotionFunction"))
