@@ -33,6 +33,8 @@ def main(room):
         check(name + "particlesLost", run.particles[0] - run.particles[-1], 0, 0)
         check(name + "outsideTheTank", run.outside, 0, 0)
         check(name + "volumeDrift", row["volumeDrift"], None, 0.005)
+        if run.high:
+            check(name + "lid", run.case.bounds[2][1], 1.2, 1.2)
         if run.dx <= 0.01:
             check(name + "frontError", row["frontError"], None, 0.03)
             checkPressures(check, name, row)
