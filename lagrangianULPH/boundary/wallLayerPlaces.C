@@ -67,10 +67,10 @@ void Foam::wallLayer::markOccupied
     {
         const int e = (d + 1)%3;
         const int f = (d + 2)%3;
-        #pragma omp parallel for schedule(static)
+        std::vector<unsigned char> line(n[d]);
+        #pragma omp parallel for schedule(static) firstprivate(line)
         for (int b = 0; b < n[f]; ++b)
         {
-            std::vector<unsigned char> line(n[d]);
             for (int a = 0; a < n[e]; ++a)
             {
                 unsigned char* const cell =

@@ -39,6 +39,7 @@ def main(room):
             smooth, apart = run.differences(fixed[run.deep, run.dx])
         if run.movingWalls:
             check(name + "difference", smooth, None, LARGEST_DIFFERENCE)
+            check(name + "differenceAtLast", apart, None, LARGEST_DIFFERENCE)
         rows.append({**row, "difference": smooth, "differenceAtLast": apart})
     writeRows(figuresFolder(room) / "figures.csv", rows)
     check.exit()
