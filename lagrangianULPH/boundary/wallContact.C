@@ -5,6 +5,8 @@
 
 #include "wallContact.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::wallContact::height(const plane& wall) const
@@ -32,6 +34,26 @@ void Foam::wallContact::lift(const plane& wall, const scalar distance)
         cloud_.x().component(k)[wall.particle] +=
             distance*normal[cloud_.axis(k)];
     }
+}
+
+
+bool Foam::wallContact::anyNear
+(
+    const ulph::clusterList::cluster& c,
+    const scalar reach
+) const
+{
+    point centre(Zero);
+    for (label p = c.first; p < c.first + c.count; ++p)
+    {
+        centre += cloud_.position(p)/c.count;
+    }
+    scalar radius = 0;
+    for (label p = c.first; p < c.first + c.count; ++p)
+    {
+        radius = max(radius, mag(cloud_.position(p) - centre));
+    }
+    return bodies_.nearest(centre, reach + radius).on.found();
 }
 
 
@@ -89,19 +111,37 @@ void Foam::wallContact::update
 
     const scalar reach = cloud_.dx() + neighbours.skin();
     const ulph::clusterList& list = neighbours.fluidList();
-    std::vector<std::vector<plane>> found(list.size());
+    const std::vector<int>& which = neighbours.newLists();
+    if (which.empty())
+    {
+        return;
+    }
+    std::vector<std::vector<plane>> found(which.size());
+    anew_.assign(cloud_.size(), 0);
 
     #pragma omp parallel for schedule(dynamic, 16)
-    for (int i = 0; i < list.size(); ++i)
+    for (std::size_t i = 0; i < which.size(); ++i)
     {
-        const ulph::clusterList::cluster& c = list[i];
-        for (int l = 0; l < c.count && c.besideWall(); ++l)
+        const ulph::clusterList::cluster& c = list[which[i]];
+        std::fill_n(anew_.begin() + c.first, c.count, 1);
+        if (c.besideWall() && anyNear(c, reach))
         {
-            findPlanes(c.first + l, reach, found[i]);
+            for (label p = c.first; p < c.first + c.count; ++p)
+            {
+                findPlanes(p, reach, found[i]);
+            }
         }
     }
 
-    planes_.clear();
+    const auto isOld = [&](const plane& wall) { return anew_[wall.particle]; };
+    if (label(which.size()) == list.size())
+    {
+        planes_.clear();
+    }
+    planes_.erase
+    (
+        std::remove_if(planes_.begin(), planes_.end(), isOld), planes_.end()
+    );
     for (const std::vector<plane>& walls : found)
     {
         for (const plane& wall : walls)

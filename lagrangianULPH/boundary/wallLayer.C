@@ -140,7 +140,6 @@ Foam::wallLayer::wallLayer
     densityExcess_(1, false),
     bodyForce_(cloud.D(), cloud.shared().mixed),
     placed_(bodies.size()),
-    updated_(bodies.size()),
     bodyVelocity_(bodies.size())
 {}
 

@@ -35,29 +35,19 @@ static boundBox moved(const boundBox& box, const linearMap& map)
 
 void Foam::wallLayer::markOccupied
 (
-    const ulph::cellGrid& fluid,
+    const ulph::cellLayout& cells,
     const scalar reach
 )
 {
-    const ulph::cellLayout& cells = fluid.layout();
+    const ulph::particleView fluid(cloud_.view());
     const std::array<int, 3> n{cells.extent(0), cells.extent(1), cells.extent(2)};
-    const auto index = [&](const int i, const int j, const int k)
-    {
-        return (std::size_t(k)*n[1] + j)*n[0] + i;
-    };
 
     occupied_.assign(cells.nCells(), 0);
     #pragma omp parallel for schedule(static)
-    for (int k = 0; k < n[2]; ++k)
+    for (int i = 0; i < fluid.n; ++i)
     {
-        for (int j = 0; j < n[1]; ++j)
-        {
-            for (int i = 0; i < n[0]; ++i)
-            {
-                const int r = cells.rank(i, j, k);
-                occupied_[index(i, j, k)] = fluid.first(r + 1) > fluid.first(r);
-            }
-        }
+        #pragma omp atomic write
+        occupied_[cells.cellOf(fluid, i)] = 1;
     }
 
     // Spread by the reach, one direction after the other
@@ -251,12 +241,15 @@ void Foam::wallLayer::move(const scalar t)
 }
 
 
-Foam::scalar Foam::wallLayer::way() const
+Foam::scalar Foam::wallLayer::way
+(
+    const std::vector<wallBody::placement>& since
+) const
 {
     scalar longest = 0;
     forAll(bodies_, b)
     {
-        longest = max(longest, bodies_[b].way(updated_[b]));
+        longest = max(longest, bodies_[b].way(since[b]));
     }
     return longest;
 }
@@ -279,14 +272,13 @@ Foam::point Foam::wallLayer::nearestOnWall(const label i) const
 }
 
 
-void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
+void Foam::wallLayer::update(const ulph::cellLayout& cells, const scalar reach)
 {
     if (!any())
     {
         return;
     }
-    const ulph::cellLayout& cells = fluid.layout();
-    markOccupied(fluid, reach);
+    markOccupied(cells, reach);
     forAll(bodies_, b)
     {
         if (!bodies_[b].hasWalls())
@@ -307,7 +299,6 @@ void Foam::wallLayer::update(const ulph::cellGrid& fluid, const scalar reach)
         );
     }
     gather(cells);
-    updated_ = placed_;
 
     for (particleField* field : {&v_, &viscousV_, &densityExcess_, &bodyForce_})
     {

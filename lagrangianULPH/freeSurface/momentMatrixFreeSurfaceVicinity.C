@@ -32,12 +32,15 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         const ulph::clusterList::cluster& c = list[i];
         const ulph::clusterList::sources fluid(list.fluid(c));
 
+        // Idle lanes repeat the last member
+        const int nUsed = (c.count + width - 1)/width;
         lanes members[nRegisters][3];
-        ulph::laneRow rows[3] = {};
+        ulph::laneRow rows[3];
         x.load(c.first, c.count, rows);
-        for (int m = 0; m < nRegisters; ++m)
+        for (int k = 0; k < D_; ++k)
         {
-            for (int k = 0; k < D_; ++k)
+            std::fill(rows[k] + c.count, rows[k] + nUsed*width, rows[k][c.count - 1]);
+            for (int m = 0; m < nUsed; ++m)
             {
                 members[m][k] = lanes(rows[k] + m*width, aligned);
             }
@@ -46,13 +49,14 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
         // Members that have seen a surface particle, and any fluid, in reach
         lanes::mask_type sawSurface[nRegisters];
         lanes::mask_type sawFluid[nRegisters];
-        for (int m = 0; m < nRegisters; ++m)
+        for (int m = 0; m < nUsed; ++m)
         {
             sawSurface[m] = sawFluid[m] = lanes::mask_type(false);
         }
         const auto look = [&](const std::uint32_t j, lanes::mask_type* saw)
         {
-            for (int m = 0; m < nRegisters; ++m)
+            bool all = true;
+            for (int m = 0; m < nUsed; ++m)
             {
                 lanes r2 = 0;
                 for (int k = 0; k < D_; ++k)
@@ -62,18 +66,20 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
                 }
                 const scalar self = label(j) - c.first - m*width;
                 saw[m] = saw[m] || (r2 < sqr(2*h_) && number != self);
+                all = all && all_of(saw[m]);
             }
+            return all;
         };
 
         bool any = false;
         fluid.goThrough([&](const std::uint32_t j)
         {
-            if (onSurface_[j])
+            if (!onSurface_[j])
             {
-                any = true;
-                look(j, sawSurface);
+                return true;
             }
-            return true;
+            any = true;
+            return !look(j, sawSurface);
         });
         mask_[i] = any && !known_[i];
 

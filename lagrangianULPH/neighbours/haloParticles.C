@@ -10,12 +10,12 @@
 Foam::haloParticles::haloParticles
 (
     ulphCloud& cloud,
-    std::shared_ptr<const ulph::cellLayout> cells
+    std::shared_ptr<const ulph::cellCurve> curve
 )
 :
     cloud_(cloud),
     cyclic_(cloud.mesh()),
-    grid_(std::move(cells))
+    clusters_(std::move(curve))
 {
     cyclic_.warnOfMisfit(cloud.dx());
 }
@@ -69,7 +69,7 @@ void Foam::haloParticles::clear()
 }
 
 
-void Foam::haloParticles::make(const scalar width)
+void Foam::haloParticles::make(const scalar width, const int clusterWidth)
 {
     if (!cyclic_.any())
     {
@@ -120,7 +120,7 @@ void Foam::haloParticles::make(const scalar width)
         view.x[k] = x[k].data();
     }
     images_.clear();
-    for (const int i : grid_.sort(view))
+    for (const int i : clusters_.sort(view, clusterWidth))
     {
         images_.push_back(found[i]);
     }

@@ -5,10 +5,15 @@
 
 #include "neighbourSearch.H"
 
+#include <numeric>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::shared_ptr<const ulph::cellLayout>
-Foam::neighbourSearch::makeCells(const ulphCloud& cloud, const scalar size)
+ulph::cellLayout Foam::neighbourSearch::makeCells
+(
+    const ulphCloud& cloud,
+    const scalar size
+)
 {
     // Five layers of wall, and room for what the guard has yet to stop
     const scalar margin = 8*cloud.dx();
@@ -20,70 +25,128 @@ Foam::neighbourSearch::makeCells(const ulphCloud& cloud, const scalar size)
         lower[k] = cloud.mesh().bounds().min()[cloud.axis(k)] - margin;
         upper[k] = cloud.mesh().bounds().max()[cloud.axis(k)] + margin;
     }
-    return std::make_shared<ulph::cellLayout>
-    (
-        cloud.D(), lower, upper, size
-    );
+    return ulph::cellLayout(cloud.D(), lower, upper, size);
 }
 
 
-Foam::scalar Foam::neighbourSearch::nextSkin() const
+ulph::clusterList::sourceGroup Foam::neighbourSearch::fluidGroup() const
 {
-    // A list costs as much as some four steps of pair sums, a wide skin a tenth more
-    // of these
-    constexpr label few = 2;
-    constexpr label many = 8;
-    const scalar wide = 2*narrow_;
+    return {&fluid_, cloud_.view(), 0};
+}
 
-    if (!valid_ || nUses_ > many)
-    {
-        return narrow_;
-    }
-    return nUses_ <= few ? wide : skin_;
+
+ulph::clusterList::sourceGroup Foam::neighbourSearch::haloGroup() const
+{
+    return {&halo_.clusters(), cloud_.haloView(), cloud_.size()};
+}
+
+
+ulph::clusterList::sourceGroup Foam::neighbourSearch::wallGroup() const
+{
+    return {&wallParticles_, wall_.view(), firstWall()};
 }
 
 
 void Foam::neighbourSearch::build()
 {
-    skin_ = nextSkin();
-    nUses_ = 1;
-
-    const scalar reach = 2*cloud_.h() + skin_;
-    const scalar longest = 8*cloud_.dx();
+    const int width = sums_->width();
 
     halo_.clear();
     halo_.wrap();
-    cloud_.permute(fluidGrid_.sort(cloud_.view()));
+    cloud_.permute(fluid_.sort(cloud_.view(), width));
     // Wall particles in reach of an image see what is in reach of them
-    halo_.make(wall_.any() ? 2*reach : reach);
-    wall_.update(fluidGrid_, reach + farthest_);
-    if (wall_.any())
-    {
-        wall_.permute(wallGrid_.sort(wall_.view()));
-    }
+    halo_.make((wall_.any() ? 2 : 1)*reach(skin_), width);
+    wall_.update(wallCells_, reach(wideSkin_) + farthest_);
+    wall_.permute(wallParticles_.sort(wall_.view(), width));
 
-    const ulph::clusterList::sourceGroup fluid
-    {
-        &fluidGrid_, cloud_.view(), 0
-    };
-    const ulph::clusterList::sourceGroup halo
-    {
-        &halo_.grid(), cloud_.haloView(), cloud_.size()
-    };
-    const ulph::clusterList::sourceGroup wall
-    {
-        &wallGrid_, wall_.view(), firstWall()
-    };
-
-    const int width = sums_->width();
-    fluidList_.build(fluid, width, reach, longest, {fluid, halo, wall});
-    wallList_.build(wall, width, reach, longest, {fluid, halo, {}});
+    fitClusters();
+    fluidList_.build
+    (
+        fluidGroup(), reach(skin_), {fluidGroup(), haloGroup(), wallGroup()}
+    );
+    wallList_.build(wallGroup(), reach(skin_), {fluidGroup(), haloGroup(), {}});
 
     sums_->resize(firstWall() + wall_.size());
 
-    motion_.reset(cloud_.totalView(), wall_.view());
+    sinceBuild_.reset(cloud_.totalView());
+    fluidRenewed_.reset(fluid_.size());
+    wallRenewed_.reset(wallParticles_.size());
+    newLists_.resize(fluid_.size());
+    std::iota(newLists_.begin(), newLists_.end(), 0);
     valid_ = true;
     ++nBuilds_;
+}
+
+
+void Foam::neighbourSearch::fitClusters()
+{
+    fluid_.fit(cloud_.view());
+    halo_.fit();
+    wallParticles_.fit(wall_.view());
+}
+
+
+bool Foam::neighbourSearch::renew()
+{
+    // What is renewed is renewed often
+    constexpr scalar many = 0.6;
+
+    const ulph::particleView all(cloud_.totalView());
+    const listAge* const sinceBuild =
+        sinceBuild_.measure(all, skin_) ? &sinceBuild_ : nullptr;
+    const bool any = fluidRenewed_.any() || wallRenewed_.any();
+    const listAge* const sinceRenewal =
+        any && sinceRenewal_.measure(all, wideSkin_) ? &sinceRenewal_ : nullptr;
+
+    const auto outdated = [&]
+    (
+        renewedClusters& renewed,
+        const ulph::clusterList::sourceGroup& group
+    )
+    {
+        return renewed.outdated
+        (
+            *group.clusters, group.particles,
+            sinceBuild, skin_, sinceRenewal, wideSkin_
+        );
+    };
+    const bool fluidOutdated = outdated(fluidRenewed_, fluidGroup());
+    const bool wallOutdated = outdated(wallRenewed_, wallGroup());
+    if (!fluidOutdated && !wallOutdated)
+    {
+        return true;
+    }
+
+    fluidRenewed_.addDue();
+    wallRenewed_.addDue();
+    // Images are those of the last build
+    if
+    (
+        halo_.cyclic().any()
+     || fluidRenewed_.numbers().size() > many*fluid_.size()
+    )
+    {
+        return false;
+    }
+    fitClusters();
+    fluidList_.renew
+    (
+        fluidRenewed_.numbers(),
+        fluidGroup(),
+        reach(wideSkin_),
+        {fluidGroup(), haloGroup(), wallGroup()}
+    );
+    wallList_.renew
+    (
+        wallRenewed_.numbers(),
+        wallGroup(),
+        reach(wideSkin_),
+        {fluidGroup(), haloGroup(), {}}
+    );
+    sinceRenewal_.reset(all);
+    newLists_ = fluidRenewed_.numbers();
+    ++nRenewals_;
+    return true;
 }
 
 
@@ -100,15 +163,17 @@ Foam::neighbourSearch::neighbourSearch
     cloud_(cloud),
     wall_(wall),
     sums_(weight.sums(cloud.shared().mixed)),
-    narrow_(skin*cloud.dx()),
-    skin_(narrow_),
+    skin_(skin*cloud.dx()),
+    wideSkin_(2*skin_),
     farthest_(2*cloud.dx()),
     stray_(0.5*cloud.dx()),
-    cells_(makeCells(cloud, 2*cloud.dx())),
-    halo_(cloud, cells_),
-    fluidGrid_(cells_),
-    wallGrid_(cells_),
-    motion_(makeCells(cloud, 2*(cloud.h() + narrow_)))
+    curve_(std::make_shared<ulph::cellCurve>(makeCells(cloud, 8*cloud.dx()))),
+    wallCells_(makeCells(cloud, 2*cloud.dx())),
+    halo_(cloud, curve_),
+    fluid_(curve_),
+    wallParticles_(curve_),
+    sinceBuild_(wall, makeCells(cloud, 2*cloud.h())),
+    sinceRenewal_(sinceBuild_)
 {}
 
 
@@ -153,16 +218,15 @@ void Foam::neighbourSearch::wrap()
 bool Foam::neighbourSearch::update()
 {
     halo_.copyPositions();
-    const scalar way = wall_.way();
+    newLists_.clear();
     if
     (
         valid_
-     && way < skin_
      && !halo_.strayed(stray_)
-     && !motion_.exceeds(cloud_.totalView(), skin_ - way, farthest_ - way)
+     && sinceBuild_.farthest(cloud_.totalView()) < farthest_
+     && renew()
     )
     {
-        ++nUses_;
         return false;
     }
     build();
@@ -173,7 +237,8 @@ bool Foam::neighbourSearch::update()
 std::size_t Foam::neighbourSearch::bytes() const
 {
     return sums_->bytes() + fluidList_.bytes() + wallList_.bytes()
-      + fluidGrid_.bytes() + wallGrid_.bytes() + motion_.bytes();
+      + fluid_.bytes() + wallParticles_.bytes() + sinceBuild_.bytes()
+      + sinceRenewal_.bytes();
 }
 
 

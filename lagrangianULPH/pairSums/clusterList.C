@@ -3,7 +3,6 @@
 
 #include "clusterList.H"
 #include "indexList.H"
-#include "orderedSet.H"
 #include "simd.H"
 
 #include <algorithm>
@@ -16,115 +15,103 @@ namespace ulph
 namespace
 {
 
-struct box
-{
-    std::array<double, 3> lower{};
-    std::array<double, 3> upper{};
-};
-
-box boundingBox(const particleView& p, const int first, const int count)
-{
-    box b;
-    for (int k = 0; k < p.D; ++k)
-    {
-        const auto range =
-            std::minmax_element(p.x[k] + first, p.x[k] + first + count);
-        b.lower[k] = *range.first;
-        b.upper[k] = *range.second;
-    }
-    return b;
-}
-
-// Members of a cluster in lanes, relative to the centre of their box so that
-// float will do
-class memberLanes
+// Members of a cluster, relative to the centre of their box so that float will do
+class clusterMembers
 {
     using lane = lanes<float>::real;
 
     static constexpr int width = int(lane::size());
 
-    const int D_;
-    const int nRows_;
+    const int count_;
     std::array<double, 3> centre_{};
-    lane x_[3][(maxLanes + width - 1)/width];
+    lane x_[maxLanes][3];
+
+    //- Coordinates of sources from the first on; beyond count some of those before
+    lane load(const particleView& p, const int k, const int first, const int count)
+        const
+    {
+        alignas(64) float x[width];
+        const double* const from = p.x[k] + first;
+        if (first + width <= p.n)
+        {
+            for (int l = 0; l < width; ++l)
+            {
+                x[l] = float(from[l] - centre_[k]);
+            }
+        }
+        else
+        {
+            for (int l = 0; l < width; ++l)
+            {
+                x[l] = float(from[std::min(l, count - 1)] - centre_[k]);
+            }
+        }
+        return lane(x, stdx::vector_aligned);
+    }
 
 public:
 
-    memberLanes
+    clusterMembers
     (
         const particleView& p,
-        const box& b,
+        const particleBox& b,
         const int first,
         const int count
     )
     :
-        D_(p.D),
-        nRows_((count + width - 1)/width)
+        count_(count)
     {
-        for (int k = 0; k < D_; ++k)
+        for (int k = 0; k < p.D; ++k)
         {
-            centre_[k] = 0.5*(b.lower[k] + b.upper[k]);
-            for (int r = 0; r < nRows_; ++r)
+            centre_[k] = b.centre(k);
+            for (int m = 0; m < count; ++m)
             {
-                for (int l = 0; l < width; ++l)
-                {
-                    const int m = std::min(r*width + l, count - 1);
-                    x_[k][r][l] = float(p.x[k][first + m] - centre_[k]);
-                }
+                x_[m][k] = float(p.x[k][first + m] - centre_[k]);
             }
         }
     }
 
-    //- Is a source closer to any member than the root of reach2?
+    //- Append those of count sources from the first on that are closer to any member
+    //- than the root of reach2
     template<int D>
-    bool reached(const particleView& p, const int j, const float reach2) const
+    void appendReached
+    (
+        const particleView& p,
+        const int offset,
+        int first,
+        const int last,
+        const float reach2,
+        indexList& listed
+    ) const
     {
-        float x[D];
-        for (int k = 0; k < D; ++k)
+        for (; first < last; first += width)
         {
-            x[k] = float(p.x[k][j] - centre_[k]);
-        }
-        // No way out between the rows: it would be guessed wrong too often
-        lane nearest = std::numeric_limits<float>::max();
-        for (int r = 0; r < nRows_; ++r)
-        {
-            lane d2 = 0;
+            const int count = std::min(width, last - first);
+            lane x[D];
             for (int k = 0; k < D; ++k)
             {
-                const lane d = x_[k][r] - x[k];
-                d2 += d*d;
+                x[k] = load(p, k, first, count);
             }
-            nearest = min(nearest, d2);
+            lane nearest = std::numeric_limits<float>::max();
+            for (int m = 0; m < count_; ++m)
+            {
+                lane d2 = 0;
+                for (int k = 0; k < D; ++k)
+                {
+                    const lane d = x[k] - x_[m][k];
+                    d2 += d*d;
+                }
+                nearest = min(nearest, d2);
+            }
+            alignas(64) float d2[width];
+            nearest.copy_to(d2, stdx::vector_aligned);
+            listed.appendIf
+            (
+                offset + first, count, [&](const int l) { return d2[l] < reach2; }
+            );
         }
-        return any_of(nearest < reach2);
     }
 };
-
-// Squared distance of the cells along direction k from the box
-void cellDistances
-(
-    const cellLayout& cells,
-    const box& b,
-    const int k,
-    const int lower,
-    const int upper,
-    std::vector<double>& d2
-)
-{
-    d2.clear();
-    for (int c = lower; c <= upper; ++c)
-    {
-        const double left = cells.lower()[k] + c*cells.size();
-        const double right = left + cells.size();
-        // What lies beyond the grid is kept in its outermost cells
-        const double d = std::max
-        (
-            c == cells.extent(k) - 1 ? 0 : b.lower[k] - right,
-            c == 0 ? 0 : left - b.upper[k]
-        );
-        d2.push_back(d > 0 ? d*d : 0);
-    }
-}
 
 // Room for as much again per cluster as so far, once there is something to judge
 // by: doubling, as vectors do, would waste a quarter of the largest array on
@@ -148,223 +135,149 @@ void makeRoom
     }
 }
 
-// Places along the curve of the cells with particles nearer than reach to a box
-template<int D>
-void findCells
-(
-    const cellGrid& grid,
-    const box& b,
-    const double reach,
-    orderedSet& found
-)
-{
-    const cellLayout& cells = grid.layout();
-    thread_local std::vector<double> d2[3];
-    std::array<int, 3> lower{0, 0, 0};
-    for (int k = 0; k < D; ++k)
-    {
-        lower[k] = cells.coordinate(k, b.lower[k] - reach);
-        cellDistances
-        (
-            cells, b, k, lower[k], cells.coordinate(k, b.upper[k] + reach), d2[k]
-        );
-    }
-    if (D == 2)
-    {
-        d2[2].assign(1, 0);
-    }
-
-    found.resize(cells.nCells());
-    for (std::size_t k = 0; k < d2[2].size(); ++k)
-    {
-        for (std::size_t j = 0; j < d2[1].size(); ++j)
-        {
-            for (std::size_t i = 0; i < d2[0].size(); ++i)
-            {
-                const int r = cells.rank
-                (
-                    lower[0] + int(i), lower[1] + int(j), lower[2] + int(k)
-                );
-                if
-                (
-                    d2[0][i] + d2[1][j] + d2[2][k] < reach*reach
-                 && grid.first(r) < grid.first(r + 1)
-                )
-                {
-                    found.insert(r);
-                }
-            }
-        }
-    }
-}
-
 // Append the sources of a group closer to a member than reach, in order
 template<int D>
 void listSources
 (
     const clusterList::sourceGroup& group,
-    const box& b,
-    const memberLanes& members,
+    const particleBox& box,
+    const clusterMembers& members,
     const double reach,
     indexList& listed
 )
 {
-    if (!group.grid || group.particles.n == 0)
+    if (!group.clusters)
     {
         return;
     }
     // Rounding of float must not lose a pair
     const float safeReach2 = float(reach*reach*(1 + 1e-5));
 
-    thread_local orderedSet cells;
-    findCells<D>(*group.grid, b, reach, cells);
-    cells.drain([&](const int r)
-    {
-        const int first = group.grid->first(r);
-        listed.appendIf
-        (
-            group.offset + first,
-            group.grid->first(r + 1) - first,
-            [&](const int i)
-            {
-                return members.reached<D>(group.particles, first + i, safeReach2);
-            }
-        );
-    });
-}
-
-// Consecutive targets of [first, last) as clusters of up to width
-void formBlock
-(
-    const clusterList::sourceGroup& targets,
-    int first,
-    const int last,
-    const int width,
-    const double longest,
-    std::vector<clusterList::cluster>& clusters
-)
-{
-    const particleView& p = targets.particles;
-    while (first < last)
-    {
-        box b = boundingBox(p, first, 1);
-        int count = 1;
-        for (; count < width && first + count < last; ++count)
+    group.clusters->forEachNear<D>
+    (
+        box,
+        reach,
+        [&](const int c)
         {
-            const int i = first + count;
-            box grown = b;
-            bool fits = true;
-            for (int k = 0; k < p.D; ++k)
-            {
-                grown.lower[k] = std::min(b.lower[k], p.x[k][i]);
-                grown.upper[k] = std::max(b.upper[k], p.x[k][i]);
-                fits = fits && grown.upper[k] - grown.lower[k] <= longest;
-            }
-            if (!fits)
-            {
-                break;
-            }
-            b = grown;
+            const int first = group.clusters->first(c);
+            members.appendReached<D>
+            (
+                group.particles,
+                group.offset,
+                first,
+                first + group.clusters->count(c),
+                safeReach2,
+                listed
+            );
         }
-        clusters.push_back({targets.offset + first, count, 0, 0, 0, 0, 0, 0});
-        first += count;
-    }
+    );
 }
 
 } // End anonymous namespace
 
-void clusterList::formClusters
+template<class Number>
+void clusterList::list
 (
+    const Number& number,
+    const int n,
+    const int firstPart,
     const sourceGroup& targets,
-    const int width,
-    const double longest
+    const double reach,
+    const sourceGroups& groups
 )
 {
-    // Clusters do not reach across blocks, however many threads form them
-    constexpr int blockSize = 64*maxLanes;
-    const int n = targets.particles.n;
-    const int nBlocks = (n + blockSize - 1)/blockSize;
+    const int nParts = int(parts_.size())/2;
 
-    std::vector<std::vector<cluster>> formed(nBlocks);
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < nBlocks; ++i)
+    #pragma omp parallel for schedule(dynamic, 1)
+    for (int t = 0; t < nParts; ++t)
     {
-        const int first = i*blockSize;
-        formed[i].reserve(blockSize/width);
-        formBlock
-        (
-            targets, first, std::min(first + blockSize, n), width, longest,
-            formed[i]
-        );
+        // Taken out: the heads of the parts lie side by side in one cache line
+        std::vector<sources::step> part(std::move(parts_[firstPart + t]));
+        part.clear();
+        indexList listed;
+        const int start = int(std::int64_t(n)*t/nParts);
+        const int last = int(std::int64_t(n)*(t + 1)/nParts);
+        for (int i = start; i < last; ++i)
+        {
+            makeRoom(part, i - start, last - start);
+            cluster& now = clusters_[number(i)];
+            now.part = firstPart + t;
+            const int first = now.first - targets.offset;
+            const particleBox box(targets.particles, first, now.count);
+            const clusterMembers members(targets.particles, box, first, now.count);
+            const auto add = [&](const sourceGroup& group)
+            {
+                targets.particles.D == 2
+              ? listSources<2>(group, box, members, reach, listed)
+              : listSources<3>(group, box, members, reach, listed);
+            };
+            now.begin = part.size();
+            listed.clear();
+            add(groups.fluid);
+            add(groups.halo);
+            now.fluid = listed.appendTo(part);
+            now.fluidEnd = part.size();
+            listed.clear();
+            add(groups.wall);
+            now.wall = listed.appendTo(part);
+            now.end = part.size();
+        }
+        parts_[firstPart + t] = std::move(part);
     }
 
-    clusters_.clear();
-    clusters_.reserve(n/width + nBlocks);
-    for (const std::vector<cluster>& block : formed)
+    nPairs_ = 0;
+    for (const cluster& c : clusters_)
     {
-        clusters_.insert(clusters_.end(), block.begin(), block.end());
+        nPairs_ += double(c.end - c.begin)*c.count;
     }
 }
 
 void clusterList::build
 (
     const sourceGroup& targets,
-    const int width,
     const double reach,
-    const double longest,
     const sourceGroups& groups
 )
 {
-    formClusters(targets, width, longest);
+    const particleClusters& formed = *targets.clusters;
+    clusters_.clear();
+    clusters_.reserve(formed.size());
+    for (int c = 0; c < formed.size(); ++c)
+    {
+        clusters_.push_back
+        (
+            {targets.offset + formed.first(c), formed.count(c), 0, 0, 0, 0, 0, 0}
+        );
+    }
+    nTargets_ = targets.particles.n;
 
     // A few per thread: some clusters have more to search than others
     const int nParts = 8*omp_get_max_threads();
-    const int nClusters = size();
-    parts_.resize(nParts);
-
-    #pragma omp parallel for schedule(dynamic, 1)
-    for (int t = 0; t < nParts; ++t)
+    parts_.resize(2*nParts);
+    for (int t = nParts; t < 2*nParts; ++t)
     {
-        // Taken out: the heads of the parts lie side by side in one cache line
-        std::vector<sources::step> part(std::move(parts_[t]));
-        part.clear();
-        indexList listed;
-        const int start = int(std::int64_t(nClusters)*t/nParts);
-        const int last = int(std::int64_t(nClusters)*(t + 1)/nParts);
-        for (int c = start; c < last; ++c)
-        {
-            makeRoom(part, c - start, last - start);
-            cluster& now = clusters_[c];
-            now.part = t;
-            const int first = now.first - targets.offset;
-            const box b = boundingBox(targets.particles, first, now.count);
-            const memberLanes members(targets.particles, b, first, now.count);
-            const auto list = [&](const sourceGroup& group)
-            {
-                targets.particles.D == 2
-              ? listSources<2>(group, b, members, reach, listed)
-              : listSources<3>(group, b, members, reach, listed);
-            };
-            now.begin = part.size();
-            listed.clear();
-            list(groups.fluid);
-            list(groups.halo);
-            now.fluid = listed.appendTo(part);
-            now.fluidEnd = part.size();
-            listed.clear();
-            list(groups.wall);
-            now.wall = listed.appendTo(part);
-            now.end = part.size();
-        }
-        parts_[t] = std::move(part);
+        parts_[t].clear();
     }
+    list([](const int i) { return i; }, size(), 0, targets, reach, groups);
+}
 
-    nPairs_ = 0;
-    nTargets_ = targets.particles.n;
-    for (const cluster& c : clusters_)
-    {
-        nPairs_ += double(c.end - c.begin)*c.count;
-    }
+void clusterList::renew
+(
+    const std::vector<int>& which,
+    const sourceGroup& targets,
+    const double reach,
+    const sourceGroups& groups
+)
+{
+    list
+    (
+        [&](const int i) { return which[i]; },
+        int(which.size()),
+        int(parts_.size())/2,
+        targets,
+        reach,
+        groups
+    );
 }
 
 std::size_t clusterList::bytes() const

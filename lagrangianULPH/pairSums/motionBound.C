@@ -4,6 +4,7 @@
 #include "motionBound.H"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ulph
@@ -18,55 +19,39 @@ void motionBound::range::include(const range& other, const int D)
     }
 }
 
-double motionBound::range::extent2(const int D) const
+float motionBound::range::farthest(const range& other, const int D) const
 {
     double sum = 0;
     for (int k = 0; k < D; ++k)
     {
-        const double d = double(upper[k]) - double(lower[k]);
+        const double d = std::max
+        (
+            double(upper[k]) - double(other.lower[k]),
+            double(other.upper[k]) - double(lower[k])
+        );
         sum += d*d;
     }
-    return sum;
+    return float(std::sqrt(sum));
 }
 
-motionBound::motionBound(std::shared_ptr<const cellLayout> cells)
+motionBound::motionBound(const cellLayout& cells)
 :
-    cells_(std::move(cells))
+    cells_(cells),
+    place_(cells.nCells(), unoccupied)
 {}
 
-std::size_t motionBound::cellOf(const particleView& p, const int i) const
-{
-    std::size_t cell = 0;
-    for (int k = p.D - 1; k >= 0; --k)
-    {
-        cell = cell*cells_->extent(k) + cells_->coordinate(k, p.x[k][i]);
-    }
-    return cell;
-}
-
-void motionBound::reset
-(
-    const particleView& moving,
-    const particleView& atRest
-)
+void motionBound::reset(const particleView& moving)
 {
     for (int k = 0; k < moving.D; ++k)
     {
         start_[k].assign(moving.x[k], moving.x[k] + moving.n);
     }
-    place_.resize(cells_->nCells(), unoccupied);
-    atRest_.assign(cells_->nCells(), 0);
-    for (int i = 0; i < atRest.n; ++i)
-    {
-        atRest_[cellOf(atRest, i)] = 1;
-    }
-    anyAtRest_ = atRest.n > 0;
 }
 
 motionBound::range motionBound::overall(const particleView& moving) const
 {
-    range all{};
-    for (int k = 0; k < moving.D; ++k)
+    range all;
+    for (int k = 0; k < moving.D && moving.n; ++k)
     {
         const double* const x = moving.x[k];
         const float* const start = start_[k].data();
@@ -87,45 +72,63 @@ motionBound::range motionBound::overall(const particleView& moving) const
     return all;
 }
 
-void motionBound::collect(const particleView& moving)
+double motionBound::farthest(const particleView& moving) const
 {
-    constexpr float none = std::numeric_limits<float>::max();
-    const range empty{{none, none, none}, {-none, -none, -none}};
+    return overall(moving).farthest({}, moving.D);
+}
 
-    for (const std::size_t cell : occupied_)
+void motionBound::include(const int cell, const range& displacements)
+{
+    if (place_[cell] == unoccupied)
+    {
+        place_[cell] = int(occupied_.size());
+        occupied_.push_back(cell);
+        ranges_.push_back(displacements);
+    }
+    else
+    {
+        ranges_[place_[cell]].include(displacements, cells_.D());
+    }
+}
+
+void motionBound::collect
+(
+    const particleView& moving,
+    const particleView& atRest
+)
+{
+    for (const int cell : occupied_)
     {
         place_[cell] = unoccupied;
     }
     occupied_.clear();
     ranges_.clear();
+    for (int i = 0; i < atRest.n; ++i)
+    {
+        include(cells_.cellOf(atRest, i), {});
+    }
+
+    constexpr float none = std::numeric_limits<float>::max();
+    const range empty{{none, none, none}, {-none, -none, -none}};
 
     // Particles are in order along a curve: a cell comes in few runs
     #pragma omp parallel
     {
-        std::size_t cell = 0;
+        int cell = 0;
         range run = empty;
         const auto flush = [&]()
         {
-            if (run.upper[0] < run.lower[0])
+            if (run.upper[0] >= run.lower[0])
             {
-                return;
-            }
-            #pragma omp critical
-            {
-                if (place_[cell] == unoccupied)
-                {
-                    place_[cell] = int(occupied_.size());
-                    occupied_.push_back(cell);
-                    ranges_.push_back(empty);
-                }
-                ranges_[place_[cell]].include(run, moving.D);
+                #pragma omp critical
+                include(cell, run);
             }
         };
 
         #pragma omp for schedule(static)
         for (int i = 0; i < moving.n; ++i)
         {
-            const std::size_t now = cellOf(moving, i);
+            const int now = cells_.cellOf(moving, i);
             if (now != cell)
             {
                 flush();
@@ -143,18 +146,15 @@ void motionBound::collect(const particleView& moving)
     }
 }
 
-motionBound::range motionBound::around(const std::size_t cell) const
+motionBound::range motionBound::around(const int cell) const
 {
+    const std::array<int, 3> at(cells_.coordinates(cell));
     std::array<int, 3> lower{};
     std::array<int, 3> upper{};
-    std::size_t rest = cell;
-    for (int k = 0; k < cells_->D(); ++k)
+    for (int k = 0; k < cells_.D(); ++k)
     {
-        const int n = cells_->extent(k);
-        const int c = int(rest%n);
-        rest /= n;
-        lower[k] = std::max(c - 1, 0);
-        upper[k] = std::min(c + 1, n - 1);
+        lower[k] = std::max(at[k] - 1, 0);
+        upper[k] = std::min(at[k] + 1, cells_.extent(k) - 1);
     }
 
     range all = ranges_[place_[cell]];
@@ -164,16 +164,10 @@ motionBound::range motionBound::around(const std::size_t cell) const
         {
             for (int i = lower[0]; i <= upper[0]; ++i)
             {
-                const std::size_t at =
-                    (std::size_t(k)*cells_->extent(1) + j)*cells_->extent(0)
-                  + i;
-                if (place_[at] != unoccupied)
+                const int place = place_[cells_.cell(i, j, k)];
+                if (place != unoccupied)
                 {
-                    all.include(ranges_[place_[at]], cells_->D());
-                }
-                if (atRest_[at])
-                {
-                    all.include({}, cells_->D());
+                    all.include(ranges_[place], cells_.D());
                 }
             }
         }
@@ -181,51 +175,42 @@ motionBound::range motionBound::around(const std::size_t cell) const
     return all;
 }
 
-bool motionBound::exceeds
+bool motionBound::measure
 (
     const particleView& moving,
-    const double limit,
-    const double farthest
+    const particleView& atRest,
+    const double limit
 )
 {
-    if (moving.n == 0)
-    {
-        return false;
-    }
-
-    range all = overall(moving);
-    for (int k = 0; k < moving.D; ++k)
-    {
-        if (std::max(-all.lower[k], all.upper[k]) > farthest)
-        {
-            return true;
-        }
-    }
-    if (anyAtRest_)
+    range all(overall(moving));
+    if (atRest.n)
     {
         all.include({}, moving.D);
     }
-    if (all.extent2(moving.D) <= limit*limit)
+    if (all.farthest(all, moving.D) <= limit)
     {
         return false;
     }
 
     // Close particles may still move together
-    collect(moving);
-    double largest = 0;
+    collect(moving, atRest);
+    relative_.resize(occupied_.size());
+    float largest = 0;
 
     #pragma omp parallel for schedule(static) reduction(max : largest)
-    for (int i = 0; i < int(occupied_.size()); ++i)
+    for (std::size_t i = 0; i < occupied_.size(); ++i)
     {
-        largest = std::max(largest, around(occupied_[i]).extent2(moving.D));
+        relative_[i] =
+            ranges_[i].farthest(around(occupied_[i]), moving.D);
+        largest = std::max(largest, relative_[i]);
     }
-    return largest > limit*limit;
+    return largest > limit;
 }
 
 std::size_t motionBound::bytes() const
 {
-    return atRest_.capacity() + place_.capacity()*sizeof(int)
-      + occupied_.capacity()*(sizeof(std::size_t) + sizeof(range))
+    return place_.capacity()*sizeof(int)
+      + occupied_.capacity()*(sizeof(int) + sizeof(float) + sizeof(range))
       + 3*start_[0].capacity()*sizeof(float);
 }
 

@@ -105,13 +105,10 @@ bool Foam::rightHandSide::updateNeighbours(const scalar t)
 {
     ledger::section timer(ledger_, "neighbours");
     wall_.move(t);
-    const bool made = search_.update();
-    if (made)
-    {
-        wall_.firstRecord = search_.firstWall();
-        contact_.update(search_);
-    }
-    return made;
+    const bool reordered = search_.update();
+    wall_.firstRecord = search_.firstWall();
+    contact_.update(search_);
+    return reordered;
 }
 
 

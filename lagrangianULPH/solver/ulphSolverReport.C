@@ -67,7 +67,8 @@ void Foam::ulphSolver::report() const
     ledger_.report(Info);
     Info<< "    sources listed per particle "
         << neighbours_.fluidList().meanListed()
-        << ", lists made " << neighbours_.nBuilds() << " times" << nl
+        << ", lists made " << neighbours_.nBuilds() << " times, renewed in part "
+        << neighbours_.nRenewals() << " times" << nl
         << "    memory "
         << cloud_.bytes() << " bytes of fields and "
         << neighbours_.bytes()/scalar(max(cloud_.size(), label(1)))

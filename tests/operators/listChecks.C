@@ -4,13 +4,14 @@
 
 Description
     The cluster lists hold every pair in reach exactly once, whatever the width
-    of the clusters and of the cells.
+    of the clusters and of the cells, also those that were renewed.
 
 \*---------------------------------------------------------------------------*/
 
 #include "pairRig.H"
 
 #include <algorithm>
+#include <numeric>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -50,14 +51,14 @@ static listFaults examine
     const int nSources,
     const int width,
     const double reach,
-    const double longest
+    const std::vector<int>& which
 )
 {
     const particleSample& s = rig.sample;
     listFaults faults;
     std::vector<int> taken(targets.particles.n, 0);
 
-    for (int c = 0; c < list.size(); ++c)
+    for (const int c : which)
     {
         const ulph::clusterList::cluster& now = list[c];
         vec lower(vec::Constant(GREAT));
@@ -69,7 +70,7 @@ static listFaults examine
             upper = upper.cwiseMax(s.x[now.first + l]);
         }
         faults.clusters +=
-            now.count > width || (upper - lower).maxCoeff() > longest;
+            now.count > width || (upper - lower).maxCoeff() > rig.longest;
 
         std::vector<int> listed(s.size(), 0);
         const auto look = [&](const std::uint32_t J, const bool asFluid)
@@ -104,9 +105,64 @@ static listFaults examine
     }
     for (const int n : taken)
     {
-        faults.targets += n != 1;
+        faults.targets += n > 1;
     }
+    faults.targets +=
+        int(which.size()) == list.size() && std::count(taken.begin(), taken.end(), 0);
     return faults;
+}
+
+
+static std::vector<int> everyCluster(const ulph::clusterList& list, const int nth)
+{
+    std::vector<int> which;
+    for (int c = 0; c < list.size(); c += nth)
+    {
+        which.push_back(c);
+    }
+    return which;
+}
+
+
+//- After particles have moved, every third list is renewed: it must be right, the
+//- others as they were
+static int renewalFaults(pairRig& rig, const int width, const double reach)
+{
+    const ulph::clusterList& list = rig.fluidList;
+    const std::vector<int> which(everyCluster(list, 3));
+    const auto others = [&]()
+    {
+        std::vector<std::uint32_t> sources;
+        for (int c = 0; c < list.size(); ++c)
+        {
+            const auto add = [&](const std::uint32_t J)
+            {
+                sources.push_back(J);
+                return true;
+            };
+            if (c % 3)
+            {
+                list.fluid(list[c]).goThrough(add);
+                list.wall(list[c]).goThrough(add);
+            }
+        }
+        return sources;
+    };
+    const std::vector<std::uint32_t> before(others());
+
+    const double farthest = 0.5*rig.sample.dx;
+    randomVectors random(rig.sample.D, 29);
+    for (int i = 0; i < rig.sample.nFluid; ++i)
+    {
+        rig.sample.x[i] += random.vector(farthest);
+    }
+    rig.longest += 4*farthest;
+    rig.renew(which, reach);
+    const listFaults renewed
+    (
+        examine(list, rig, rig.fluid, rig.sample.size(), width, reach, which)
+    );
+    return renewed.sum() + int(others() != before);
 }
 
 
@@ -155,33 +211,49 @@ static void longWays(tally& t)
             x[k].push_back(place[k]);
         }
     }
-    ulph::cellGrid grid
+    ulph::particleClusters clusters
     (
-        std::make_shared<ulph::cellLayout>
+        std::make_shared<ulph::cellCurve>
         (
-            3,
-            std::array<double, 3>{-dx, -dx, -dx},
-            std::array<double, 3>{n*dx, n*dx, n*dx},
-            2*dx
+            ulph::cellLayout
+            (
+                3,
+                std::array<double, 3>{-dx, -dx, -dx},
+                std::array<double, 3>{n*dx, n*dx, n*dx},
+                8*dx
+            )
         )
     );
     ulph::particleView view{3, n*n*n, {x[0].data(), x[1].data(), x[2].data()}};
-    const std::vector<int> order(grid.sort(view));
-    for (int k = 0; k < 3; ++k)
+    // Which particle is where
+    std::vector<int> number(view.n);
+    std::iota(number.begin(), number.end(), 0);
+    const auto sort = [&](const int width)
     {
-        const std::vector<double> old(x[k]);
-        for (std::size_t i = 0; i < old.size(); ++i)
+        const std::vector<int> order(clusters.sort(view, width));
+        const auto permute = [&](auto& values)
         {
-            x[k][i] = old[order[i]];
+            const auto old(values);
+            for (std::size_t i = 0; i < old.size(); ++i)
+            {
+                values[i] = old[order[i]];
+            }
+        };
+        permute(number);
+        for (int k = 0; k < 3; ++k)
+        {
+            permute(x[k]);
         }
-    }
+        clusters.fit(view);
+    };
 
-    const ulph::clusterList::sourceGroup all{&grid, view, 0};
+    const ulph::clusterList::sourceGroup all{&clusters, view, 0};
     ulph::clusterList list;
     const auto traces = [&](const bool mixed)
     {
         const auto sums(ulph::pairSums::New("WendlandC2", mixed, 3, 4*dx));
         sums->resize(view.n);
+        sort(sums->width());
         for (int first = 0; first < view.n; first += ulph::maxLanes)
         {
             ulph::geometryTile tile = {};
@@ -196,10 +268,15 @@ static void longWays(tally& t)
             }
             sums->pack(first, count, tile);
         }
-        list.build(all, sums->width(), reach, 8*dx, {all, {}, {}});
+        list.build(all, reach, {all, {}, {}});
         momentTraces sink(view.n);
         sums->geometry(list, {}, ulph::momentSums, sink);
-        return sink.trace;
+        std::vector<double> trace(view.n);
+        for (int i = 0; i < view.n; ++i)
+        {
+            trace[number[i]] = sink.trace[i];
+        }
+        return trace;
     };
     const std::vector<double> exact(traces(false));
     const std::vector<double> mixed(traces(true));
@@ -259,18 +336,16 @@ void Foam::listChecks(tally& t)
 
             for (const int width : {1, 3, 4, 8, 16})
             {
-                // The last longest edge cuts clusters of a compact block, too
-                for (const double longest : {8*dx, 1*dx})
+                for (const double cell : {8*dx, 2*dx})
                 {
-                    const double cell = (width == 4 ? 4.2 : 2)*dx;
-                    const pairRig rig(sample, width, reach, longest, cell);
+                    pairRig rig(sample, width, reach, cell);
 
                     const listFaults fluid
                     (
                         examine
                         (
                             rig.fluidList, rig, rig.fluid, sample.size(),
-                            width, reach, longest
+                            width, reach, everyCluster(rig.fluidList, 1)
                         )
                     );
                     const listFaults wall
@@ -278,17 +353,21 @@ void Foam::listChecks(tally& t)
                         examine
                         (
                             rig.wallList, rig, rig.wall, sample.nFluid,
-                            width, reach, longest
+                            width, reach, everyCluster(rig.wallList, 1)
                         )
                     );
-                    t.check
+                    const std::string what
                     (
                         std::to_string(D) + "D "
                       + (spray ? "spray" : "block")
                       + " list of width " + std::to_string(width)
-                      + ", edges to " + text(longest/dx)
-                      + " dx: faults",
-                        fluid.sum() + wall.sum(),
+                      + ", cells of " + text(cell/dx) + " dx: "
+                    );
+                    t.check(what + "faults", fluid.sum() + wall.sum(), 0.0);
+                    t.check
+                    (
+                        what + "faults of lists renewed",
+                        renewalFaults(rig, width, reach),
                         0.0
                     );
                 }

@@ -171,7 +171,7 @@ static void skinChecks(tally& t, const scene& where)
     const modelChoice& choice = choices[0];
     rig library(room, where.properties(false) + choice.properties, where.state);
     library.evaluate();
-    const scalar skin = library.neighbours.skin();
+    const scalar skin = 0.2*where.dx;
 
     vec along(vec::Zero());
     along.head(where.D).setConstant(1/std::sqrt(scalar(where.D)));
@@ -180,7 +180,7 @@ static void skinChecks(tally& t, const scene& where)
         // To 0.98, then to 1.1 of the skin, odd against even numbers
         const vec step
         (
-            (nBuilds == 1 ? 0.49 : 0.06)*library.neighbours.skin()*along
+            (nBuilds == 1 ? 0.49 : 0.06)*skin*along
         );
         move
         (
@@ -193,18 +193,13 @@ static void skinChecks(tally& t, const scene& where)
             where.name + " moved, list " + std::to_string(nBuilds)
         );
         t.check(what + " is in use", library.neighbours.nBuilds() == nBuilds);
-        t.check
-        (
-            what + " skin, wider after a list that hardly lasted",
-            library.neighbours.skin() == nBuilds*skin
-        );
         compare(t, what, library, choice.printed, 1e-12);
     }
 }
 
 
-//- Two balls that move past each other keep their lists; stirred, they do not
-static void partChecks(tally& t, const int D)
+//- Two balls, and the number of particles of each
+static std::pair<scene, int> twoBalls(const int D)
 {
     scene where(scene::ball(D));
     const int n = where.state.size();
@@ -217,14 +212,22 @@ static void partChecks(tally& t, const int D)
         }
     }
     where.state = fluidState::random(D, where.dx, places);
+    return {where, n};
+}
 
+
+//- Two balls that move past each other keep their lists; stirred, they do not
+static void partChecks(tally& t, const int D)
+{
+    const auto [where, size] = twoBalls(D);
+    const int n = size;
     const testCase room(where.name);
     const modelChoice& choice = choices[0];
     rig library(room, where.properties(false) + choice.properties, where.state);
     library.evaluate();
 
     const std::string what(where.name + " two balls ");
-    const vec step(0, library.neighbours.skin(), 0);
+    const vec step(0, 0.2*where.dx, 0);
     move
     (
         library,
@@ -242,6 +245,56 @@ static void partChecks(tally& t, const int D)
     library.evaluate();
     t.check(what + "stirred get new lists", library.neighbours.nBuilds() == 2);
     compare(t, what + "stirred", library, choice.printed, 1e-12);
+}
+
+
+//- Where a part of the fluid is stirred, its lists are renewed and the others kept
+static void renewalChecks
+(
+    tally& t,
+    const scene& where,
+    const std::function<bool(int)>& isStirred
+)
+{
+    const testCase room(where.name);
+    const modelChoice& choice = choices[0];
+    rig library(room, where.properties(false) + choice.properties, where.state);
+    library.evaluate();
+
+    // Past the skin of a build, short of that of a renewal, and past it
+    const scalar ways[] = {1.1*0.2*where.dx, 1.8*0.2*where.dx, 0.6*0.2*where.dx};
+    for (int i = 0; i < 3; ++i)
+    {
+        const vec step(0, 0.5*ways[i], 0);
+        move
+        (
+            library,
+            [&](const int number)
+            {
+                return vec((isStirred(number) ? 1 : 0)*(number % 2 ? 1 : -1)*step);
+            }
+        );
+        library.evaluate();
+        const std::string what
+        (
+            where.name + " stirred in part, " + std::to_string(i + 1)
+        );
+        t.check(what + ": no build", library.neighbours.nBuilds() == 1);
+        t.check
+        (
+            what + ": renewals",
+            library.neighbours.nRenewals() >= (i < 2 ? 1 : 2)
+         && library.neighbours.nRenewals() <= i + 1
+        );
+        const std::size_t nNew = library.neighbours.newLists().size();
+        t.check
+        (
+            what + ": some lists are new",
+            i == 1
+         || (nNew > 0 && label(nNew) < library.neighbours.fluidList().size())
+        );
+        compare(t, what, library, choice.printed, 1e-12);
+    }
 }
 
 
@@ -349,8 +402,18 @@ void Foam::operatorChecks(tally& t)
         skinChecks(t, where);
         splitChecks(t, where);
     }
-    partChecks(t, 2);
-    partChecks(t, 3);
+    for (const int D : {2, 3})
+    {
+        partChecks(t, D);
+        const auto [where, size] = twoBalls(D);
+        const int n = size;
+        renewalChecks(t, where, [n](const int number) { return number < n; });
+    }
+    const scene tank(scene::tank(2));
+    renewalChecks
+    (
+        t, tank, [&](const int number) { return tank.state.x[number][0] < 0.05; }
+    );
     fallChecks(t);
     linearChecks(t);
     latticeChecks(t);

@@ -14,7 +14,6 @@ Foam::pairRig::pairRig
     const particleSample& particles,
     const int width,
     const double reach,
-    const double longest,
     const double cellSize
 )
 :
@@ -36,22 +35,19 @@ Foam::pairRig::pairRig
         const double margin = 0.02*(upper[k] - lower[k]);
         lower[k] += margin;
         upper[k] -= margin;
+        longest = std::max(longest, cellSize + 2*margin);
     }
-    const auto cells = std::make_shared<ulph::cellLayout>
+    const auto curve = std::make_shared<ulph::cellCurve>
     (
-        sample.D, lower, upper, cellSize
+        ulph::cellLayout(sample.D, lower, upper, cellSize)
     );
 
-    fluidGrid_.reset(new ulph::cellGrid(cells));
-    wallGrid_.reset(new ulph::cellGrid(cells));
-    sort();
+    fluidClusters_.reset(new ulph::particleClusters(curve));
+    wallClusters_.reset(new ulph::particleClusters(curve));
+    sort(width);
 
-    const int nWall = sample.size() - sample.nFluid;
-    fluid = {fluidGrid_.get(), view(0, sample.nFluid), 0};
-    wall = {wallGrid_.get(), view(sample.nFluid, nWall), sample.nFluid};
-
-    fluidList.build(fluid, width, reach, longest, {fluid, {}, wall});
-    wallList.build(wall, width, reach, longest, {fluid, {}, {}});
+    fluidList.build(fluid, reach, {fluid, {}, wall});
+    wallList.build(wall, reach, {fluid, {}, {}});
 }
 
 
@@ -70,33 +66,47 @@ ulph::particleView Foam::pairRig::view(const int first, const int n) const
 }
 
 
-void Foam::pairRig::sort()
+void Foam::pairRig::copyOut()
 {
-    const auto copyOut = [&]()
+    for (int k = 0; k < 3; ++k)
     {
-        for (int k = 0; k < 3; ++k)
+        coordinates_[k].clear();
+        for (const vec& x : sample.x)
         {
-            coordinates_[k].clear();
-            for (const vec& x : sample.x)
-            {
-                coordinates_[k].push_back(x[k]);
-            }
+            coordinates_[k].push_back(x[k]);
         }
-    };
-    copyOut();
+    }
+    const int nWall = sample.size() - sample.nFluid;
+    fluid = {fluidClusters_.get(), view(0, sample.nFluid), 0};
+    wall = {wallClusters_.get(), view(sample.nFluid, nWall), sample.nFluid};
+}
 
-    const int nFluid = sample.nFluid;
-    std::vector<int> order(fluidGrid_->sort(view(0, nFluid)));
-    for (const int i : wallGrid_->sort(view(nFluid, sample.size() - nFluid)))
+
+void Foam::pairRig::sort(const int width)
+{
+    copyOut();
+    std::vector<int> order(fluidClusters_->sort(fluid.particles, width));
+    for (const int i : wallClusters_->sort(wall.particles, width))
     {
-        order.push_back(nFluid + i);
+        order.push_back(sample.nFluid + i);
     }
     sample.permute(order);
     copyOut();
+    fluidClusters_->fit(fluid.particles);
+    wallClusters_->fit(wall.particles);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pairRig::renew(const std::vector<int>& which, const double reach)
+{
+    copyOut();
+    fluidClusters_->fit(fluid.particles);
+    wallClusters_->fit(wall.particles);
+    fluidList.renew(which, fluid, reach, {fluid, {}, wall});
+}
+
 
 void Foam::pairRig::pack(ulph::pairSums& sums) const
 {

@@ -236,7 +236,7 @@ void Foam::pairSumChecks(tally& t)
                     );
                     pairRig rig
                     (
-                        sample, sums->width(), 2*h + skin, 8*dx, 2*dx
+                        sample, sums->width(), 2*h + skin, 8*dx
                     );
 
                     // The list must hold as long as the skin promises

@@ -1,7 +1,7 @@
 // ulphFoam: free-surface flow by updated Lagrangian particle hydrodynamics
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cellGrid.H"
+#include "cellLayout.H"
 
 #include <algorithm>
 #include <cmath>
@@ -93,83 +93,42 @@ cellLayout::cellLayout
         size_ *= cells > largestTable ? 2 : 1;
     } while (cells > largestTable);
 
-    int bits = 1;
     for (int k = 0; k < D; ++k)
     {
         extent_[k] = int(count(k));
-        while ((1 << bits) < extent_[k])
-        {
-            ++bits;
-        }
-    }
-
-    std::vector<std::uint64_t> key(static_cast<std::size_t>(cells));
-    std::size_t c = 0;
-    for (int k = 0; k < extent_[2]; ++k)
-    {
-        for (int j = 0; j < extent_[1]; ++j)
-        {
-            for (int i = 0; i < extent_[0]; ++i)
-            {
-                key[c++] = hilbertIndex
-                (
-                    {std::uint32_t(i), std::uint32_t(j), std::uint32_t(k)},
-                    D,
-                    bits
-                );
-            }
-        }
-    }
-
-    std::vector<int> byKey(key.size());
-    std::iota(byKey.begin(), byKey.end(), 0);
-    std::sort
-    (
-        byKey.begin(), byKey.end(),
-        [&](const int a, const int b) { return key[a] < key[b]; }
-    );
-
-    rank_.resize(key.size());
-    for (std::size_t i = 0; i < byKey.size(); ++i)
-    {
-        rank_[byKey[i]] = int(i);
     }
 }
 
-std::vector<int> cellGrid::sort(const particleView& particles)
+std::vector<int> cellLayout::hilbertCurve() const
 {
-    const cellLayout& cells = *layout_;
-    const int n = particles.n;
-
-    std::vector<int> rankOf(n);
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < n; ++i)
+    int bits = 1;
+    while ((1 << bits) < *std::max_element(extent_.begin(), extent_.end()))
     {
-        std::array<int, 3> c{};
-        for (int k = 0; k < cells.D(); ++k)
-        {
-            c[k] = cells.coordinate(k, particles.x[k][i]);
-        }
-        rankOf[i] = cells.rank(c[0], c[1], c[2]);
+        ++bits;
     }
 
-    first_.assign(cells.nCells() + 1, 0);
-    for (int i = 0; i < n; ++i)
+    std::vector<std::uint64_t> key(nCells());
+    for (int c = 0; c < nCells(); ++c)
     {
-        ++first_[rankOf[i] + 1];
+        const std::array<int, 3> at(coordinates(c));
+        key[c] = hilbertIndex
+        (
+            {
+                std::uint32_t(at[0]), std::uint32_t(at[1]), std::uint32_t(at[2])
+            },
+            D_,
+            bits
+        );
     }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
 
-    std::vector<int> order(n);
-    for (int i = 0; i < n; ++i)
-    {
-        order[first_[rankOf[i]]++] = i;
-    }
-    // Filling has moved every start to the next one
-    std::copy_backward(first_.begin(), first_.end() - 1, first_.end());
-    first_.front() = 0;
-
-    return order;
+    std::vector<int> along(key.size());
+    std::iota(along.begin(), along.end(), 0);
+    std::sort
+    (
+        along.begin(), along.end(),
+        [&](const int a, const int b) { return key[a] < key[b]; }
+    );
+    return along;
 }
 
 } // End namespace ulph
