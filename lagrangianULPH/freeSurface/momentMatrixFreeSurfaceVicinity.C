@@ -10,114 +10,124 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::freeSurfaces::momentMatrixFreeSurface::lookAround
+(
+    const neighbourSearch& search,
+    const ulph::clusterList::cluster& c,
+    ulph::laneRow& sawFluid
+)
+{
+    const particleField& x = search.cloud().x();
+
+    using lanes = ulph::stdx::native_simd<double>;
+    constexpr int width = int(lanes::size());
+    constexpr auto aligned = ulph::stdx::element_aligned;
+    const lanes number([](const auto l) { return double(int(l)); });
+
+    ulph::laneRow rows[3] = {};
+    ulph::laneRow on = {};
+    x.load(c.first, c.count, rows);
+    std::copy_n(onSurface_.data() + c.first, c.count, on);
+
+    for (int first = 0; first < c.count; first += width)
+    {
+        lanes members[3];
+        for (int k = 0; k < D_; ++k)
+        {
+            members[k] = lanes(rows[k] + first, aligned);
+        }
+        const auto isOn = lanes(on + first, aligned) > 0;
+        auto saw = !isOn;
+        if (all_of(saw))
+        {
+            continue;
+        }
+        bool allSaw = false;
+        search.fluidList().fluid(c).goThrough([&](const std::uint32_t j)
+        {
+            // Others on the surface may have marked it before
+            unsigned char marked;
+            #pragma omp atomic read
+            marked = nearSurface_[j];
+            if (allSaw && (marked || onSurface_[j]))
+            {
+                return true;
+            }
+
+            lanes r2 = 0;
+            for (int k = 0; k < D_; ++k)
+            {
+                const lanes d = x.component(k)[j] - members[k];
+                r2 += d*d;
+            }
+            const scalar self = label(j) - c.first - first;
+            const auto isNear = r2 < sqr(2*h_) && isOn && number != self;
+            saw = saw || isNear;
+            allSaw = all_of(saw);
+            if (any_of(isNear))
+            {
+                #pragma omp atomic write
+                nearSurface_[j] = 1;
+            }
+            return true;
+        });
+        for (int l = 0; l < width; ++l)
+        {
+            sawFluid[first + l] = saw[l];
+        }
+    }
+}
+
+
 void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
 (
     const neighbourSearch& search
 )
 {
     const ulph::clusterList& list = search.fluidList();
-    const particleField& x = search.cloud().x();
+    const auto first = [&](const std::vector<unsigned char>& marks, const int i)
+    {
+        return marks.data() + list[i].first;
+    };
+    const auto any = [&](const std::vector<unsigned char>& marks, const int i)
+    {
+        return std::find(first(marks, i), first(marks, i) + list[i].count, 1)
+         != first(marks, i) + list[i].count;
+    };
 
-    using lanes = ulph::stdx::native_simd<double>;
-    constexpr int width = int(lanes::size());
-    constexpr int nRegisters = ulph::maxLanes/width;
-    constexpr auto aligned = ulph::stdx::element_aligned;
-    const lanes number([](const auto l) { return double(int(l)); });
-
+    // Particles see each other: the few on the surface look for the others
     class_->reset(lambda_->size());
+    nearSurface_.assign(lambda_->size(), 0);
 
     #pragma omp parallel for schedule(dynamic, 16)
     for (int i = 0; i < list.size(); ++i)
     {
-        const ulph::clusterList::cluster& c = list[i];
-        const ulph::clusterList::sources fluid(list.fluid(c));
-
-        // Idle lanes repeat the last member
-        const int nUsed = (c.count + width - 1)/width;
-        lanes members[nRegisters][3];
-        ulph::laneRow rows[3];
-        x.load(c.first, c.count, rows);
-        for (int k = 0; k < D_; ++k)
+        if (any(onSurface_, i))
         {
-            std::fill(rows[k] + c.count, rows[k] + nUsed*width, rows[k][c.count - 1]);
-            for (int m = 0; m < nUsed; ++m)
+            ulph::laneRow sawFluid;
+            ulph::laneRow classes;
+            lookAround(search, list[i], sawFluid);
+            for (int l = 0; l < list[i].count; ++l)
             {
-                members[m][k] = lanes(rows[k] + m*width, aligned);
+                classes[l] = sawFluid[l] ? surface : splash;
+            }
+            class_->store(0, list[i].first, list[i].count, classes);
+        }
+    }
+    search.halo().markSources(nearSurface_);
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < list.size(); ++i)
+    {
+        const bool anyOn = any(onSurface_, i);
+        mask_[i] = (anyOn || any(nearSurface_, i)) && !known_[i];
+        for (label p = list[i].first; p < list[i].first + list[i].count; ++p)
+        {
+            if (!onSurface_[p])
+            {
+                class_->set(p, 0, nearSurface_[p] ? vicinity : interior);
             }
         }
-
-        // Members that have seen a surface particle, and any fluid, in reach
-        lanes::mask_type sawSurface[nRegisters];
-        lanes::mask_type sawFluid[nRegisters];
-        for (int m = 0; m < nUsed; ++m)
-        {
-            sawSurface[m] = sawFluid[m] = lanes::mask_type(false);
-        }
-        const auto look = [&](const std::uint32_t j, lanes::mask_type* saw)
-        {
-            bool all = true;
-            for (int m = 0; m < nUsed; ++m)
-            {
-                lanes r2 = 0;
-                for (int k = 0; k < D_; ++k)
-                {
-                    const lanes d = x.component(k)[j] - members[m][k];
-                    r2 += d*d;
-                }
-                const scalar self = label(j) - c.first - m*width;
-                saw[m] = saw[m] || (r2 < sqr(2*h_) && number != self);
-                all = all && all_of(saw[m]);
-            }
-            return all;
-        };
-
-        bool any = false;
-        fluid.goThrough([&](const std::uint32_t j)
-        {
-            if (!onSurface_[j])
-            {
-                return true;
-            }
-            any = true;
-            return !look(j, sawSurface);
-        });
-        mask_[i] = any && !known_[i];
-
-        const unsigned char* const on = onSurface_.data() + c.first;
-        if (std::find(on, on + c.count, 1) != on + c.count)
-        {
-            const auto lonely = [&]()
-            {
-                bool found = false;
-                for (int l = 0; l < c.count; ++l)
-                {
-                    found = found || (on[l] && !sawFluid[l/width][l % width]);
-                }
-                return found;
-            };
-            // Members of a cluster are close to each other, as a rule
-            for (int l = 0; l < c.count; ++l)
-            {
-                look(std::uint32_t(c.first + l), sawFluid);
-            }
-            if (lonely())
-            {
-                fluid.goThrough([&](const std::uint32_t j)
-                {
-                    look(j, sawFluid);
-                    return lonely();
-                });
-            }
-        }
-
-        ulph::laneRow classes;
-        for (int l = 0; l < c.count; ++l)
-        {
-            classes[l] =
-                on[l] ? (sawFluid[l/width][l % width] ? surface : splash)
-              : sawSurface[l/width][l % width] ? vicinity : interior;
-        }
-        class_->store(0, c.first, c.count, classes);
     }
 }
 

@@ -72,6 +72,7 @@ cellLayout::cellLayout
 :
     D_(D),
     size_(size),
+    inverseSize_(1/size),
     lower_(lower),
     extent_{1, 1, 1}
 {

@@ -37,6 +37,8 @@ float motionBound::range::farthest(const range& other, const int D) const
 motionBound::motionBound(const cellLayout& cells)
 :
     cells_(cells),
+    unit_(cells.size()/16384),
+    perUnit_(1/unit_),
     place_(cells.nCells(), unoccupied)
 {}
 
@@ -44,7 +46,14 @@ void motionBound::reset(const particleView& moving)
 {
     for (int k = 0; k < moving.D; ++k)
     {
-        start_[k].assign(moving.x[k], moving.x[k] + moving.n);
+        const double* const x = moving.x[k];
+        start_[k].resize(moving.n);
+
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < moving.n; ++i)
+        {
+            start_[k][i] = packed(x[i]);
+        }
     }
 }
 
@@ -54,7 +63,7 @@ motionBound::range motionBound::overall(const particleView& moving) const
     for (int k = 0; k < moving.D && moving.n; ++k)
     {
         const double* const x = moving.x[k];
-        const float* const start = start_[k].data();
+        const std::uint16_t* const start = start_[k].data();
         float lower = std::numeric_limits<float>::max();
         float upper = -lower;
 
@@ -62,7 +71,7 @@ motionBound::range motionBound::overall(const particleView& moving) const
             reduction(min : lower) reduction(max : upper)
         for (int i = 0; i < moving.n; ++i)
         {
-            const float d = float(x[i] - double(start[i]));
+            const float d = way(x[i], start[i]);
             lower = d < lower ? d : lower;
             upper = d > upper ? d : upper;
         }
@@ -74,7 +83,7 @@ motionBound::range motionBound::overall(const particleView& moving) const
 
 double motionBound::farthest(const particleView& moving) const
 {
-    return overall(moving).farthest({}, moving.D);
+    return overall(moving).farthest({}, moving.D) + rounding();
 }
 
 void motionBound::include(const int cell, const range& displacements)
@@ -137,7 +146,7 @@ void motionBound::collect
             }
             for (int k = 0; k < moving.D; ++k)
             {
-                const float d = float(moving.x[k][i] - double(start_[k][i]));
+                const float d = way(moving.x[k][i], start_[k][i]);
                 run.lower[k] = std::min(run.lower[k], d);
                 run.upper[k] = std::max(run.upper[k], d);
             }
@@ -187,7 +196,7 @@ bool motionBound::measure
     {
         all.include({}, moving.D);
     }
-    if (all.farthest(all, moving.D) <= limit)
+    if (all.farthest(all, moving.D) + rounding() <= limit)
     {
         return false;
     }
@@ -201,7 +210,7 @@ bool motionBound::measure
     for (std::size_t i = 0; i < occupied_.size(); ++i)
     {
         relative_[i] =
-            ranges_[i].farthest(around(occupied_[i]), moving.D);
+            ranges_[i].farthest(around(occupied_[i]), moving.D) + rounding();
         largest = std::max(largest, relative_[i]);
     }
     return largest > limit;
@@ -211,7 +220,7 @@ std::size_t motionBound::bytes() const
 {
     return place_.capacity()*sizeof(int)
       + occupied_.capacity()*(sizeof(int) + sizeof(float) + sizeof(range))
-      + 3*start_[0].capacity()*sizeof(float);
+      + 3*start_[0].capacity()*sizeof(std::uint16_t);
 }
 
 } // End namespace ulph

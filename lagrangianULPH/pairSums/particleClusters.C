@@ -18,12 +18,18 @@ struct place
     int particle;
 };
 
-// Halve [first, last) until clusters are left: all of them whole but the last
+// Halve [first, last) until clusters are left: all of them whole but the last.
+// Where places are the same the order before decides: what is in order stays so.
 void halve(place* const first, place* const last, const int width, const int D)
 {
     const int n = int(last - first);
     if (n <= width)
     {
+        std::sort
+        (
+            first, last,
+            [](const place& a, const place& b) { return a.particle < b.particle; }
+        );
         return;
     }
 
@@ -52,7 +58,10 @@ void halve(place* const first, place* const last, const int width, const int D)
         first, middle, last,
         [longest](const place& a, const place& b)
         {
-            return a.x[longest] < b.x[longest];
+            return
+                a.x[longest] != b.x[longest]
+              ? a.x[longest] < b.x[longest]
+              : a.particle < b.particle;
         }
     );
     halve(first, middle, width, D);
@@ -169,8 +178,12 @@ void particleClusters::halveCell
         places[i].particle = own[i];
         for (int k = 0; k < particles.D; ++k)
         {
-            const double* const x = particles.x[k];
-            places[i].x[k] = float(x[own[i]] - x[own[0]]);
+            const cellLayout& layout = curve_->cells;
+            places[i].x[k] = float
+            (
+                particles.x[k][own[i]]
+              - (layout.lower()[k] + now.at[k]*layout.size())
+            );
         }
     }
     halve(places.data(), places.data() + now.count, clusterWidth, particles.D);
