@@ -112,10 +112,15 @@ void Foam::wallContact::update
     const scalar reach = cloud_.dx() + neighbours.skin();
     const ulph::clusterList& list = neighbours.fluidList();
     const std::vector<int>& which = neighbours.newLists();
+    if (label(which.size()) == list.size())
+    {
+        planes_.clear();
+    }
     if (which.empty())
     {
         return;
     }
+
     std::vector<std::vector<plane>> found(which.size());
     anew_.assign(cloud_.size(), 0);
 
@@ -134,10 +139,6 @@ void Foam::wallContact::update
     }
 
     const auto isOld = [&](const plane& wall) { return anew_[wall.particle]; };
-    if (label(which.size()) == list.size())
-    {
-        planes_.clear();
-    }
     planes_.erase
     (
         std::remove_if(planes_.begin(), planes_.end(), isOld), planes_.end()
