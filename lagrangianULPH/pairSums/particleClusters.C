@@ -132,7 +132,7 @@ std::vector<int> particleClusters::sort
     {
         const int begin = place ? next[place - 1] : 0;
         const int count = next[place] - begin;
-        number_[place] = count ? int(cells_.size()) : none;
+        number_[curve_->along[place]] = count ? int(cells_.size()) : none;
         if (count)
         {
             cells_.push_back

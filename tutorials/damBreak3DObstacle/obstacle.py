@@ -35,7 +35,8 @@ class Run:
 
         sensors = table(folder, "sensors")
         self.times = sensors["Time"]
-        self.pressures = [sensors[f"p_{k}"] for k in range(4)]
+        top = table(folder, "topSensors")
+        self.pressures = [four[f"p_{k}"] for four in (sensors, top) for k in range(4)]
         forces = table(folder, "forces", "force")
         # Along the flow, which runs against x [N]
         self.forceTimes, self.force = forces["Time"], -forces["total_x"]
@@ -67,6 +68,8 @@ class Run:
         for k in range(4):
             row[f"arrival{k + 1}"] = self.arrival(k)
             row[f"peak{k + 1}"] = float(self.pressures[k][early].max())
+        for k in range(4, 8):
+            row[f"largest{k + 1}"] = float(self.pressures[k].max())
         # Of sensor 1 while the water stands before the box
         standing = (self.times > 0.9) & (self.times < 1.1)
         row["mean1"] = (

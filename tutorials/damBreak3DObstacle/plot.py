@@ -11,7 +11,7 @@ plt = pyplot()
 
 
 def curves(found, file):
-    figure, grid = plt.subplots(3, 2, figsize=(10, 9))
+    figure, grid = plt.subplots(4, 2, figsize=(10, 12))
     for k, axes in enumerate(grid.flat[:4]):
         axes.plot(EXPERIMENT[:, 0], EXPERIMENT[:, 1 + k], "ko", ms=3,
                   label="experiment")
@@ -31,6 +31,11 @@ def curves(found, file):
         grid[2, 1].plot(run.forceTimes, run.force, lw=0.6)
     grid[2, 1].set(xlim=(0, found[-1].times[-1]), xlabel="t [s]",
                    title="force on the box along the flow [N]")
+    for axes, k in zip(grid[3], (4, 7)):
+        for run in found:
+            axes.plot(run.times, run.pressures[k] / 1000, lw=0.6)
+        axes.set(xlim=(0, found[-1].times[-1]), xlabel="t [s]",
+                 title=f"pressure of sensor {k + 1}, on top of the box [kPa]")
     savePicture(figure, file)
 
 
