@@ -37,23 +37,34 @@ void Foam::wallContact::lift(const plane& wall, const scalar distance)
 }
 
 
-bool Foam::wallContact::anyNear
+void Foam::wallContact::findPlanes
 (
     const ulph::clusterList::cluster& c,
-    const scalar reach
+    const scalar reach,
+    std::vector<plane>& found
 ) const
 {
+    const label last = c.first + c.count;
     point centre(Zero);
-    for (label p = c.first; p < c.first + c.count; ++p)
+    for (label p = c.first; p < last; ++p)
     {
         centre += cloud_.position(p)/c.count;
     }
     scalar radius = 0;
-    for (label p = c.first; p < c.first + c.count; ++p)
+    for (label p = c.first; p < last; ++p)
     {
         radius = max(radius, mag(cloud_.position(p) - centre));
     }
-    return bodies_.nearest(centre, reach + radius).on.found();
+
+    // No member is nearer to a wall than the centre by more than it is off that
+    const wallSearch::wallPoint on(bodies_.nearest(centre, reach + radius).on);
+    for (label p = c.first; p < last && on.found(); ++p)
+    {
+        if (mag(on.distance) - mag(cloud_.position(p) - centre) < reach)
+        {
+            findPlanes(p, reach, found);
+        }
+    }
 }
 
 
@@ -129,12 +140,9 @@ void Foam::wallContact::update
     {
         const ulph::clusterList::cluster& c = list[which[i]];
         std::fill_n(anew_.begin() + c.first, c.count, 1);
-        if (c.besideWall() && anyNear(c, reach))
+        if (c.besideWall())
         {
-            for (label p = c.first; p < c.first + c.count; ++p)
-            {
-                findPlanes(p, reach, found[i]);
-            }
+            findPlanes(c, reach, found[i]);
         }
     }
 

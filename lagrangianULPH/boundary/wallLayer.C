@@ -7,6 +7,8 @@
 
 #include "symmetric.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -303,6 +305,17 @@ void Foam::wallLayer::takePressure
 
 void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
 {
+    // Listed for what may come, as most are under a splash
+    if (std::all_of(sums.w, sums.w + sums.count, [](const scalar w) { return w == 0; }))
+    {
+        const label first = sums.first - firstRecord;
+        const ulph::laneRow zero[3] = {};
+        v_.store(first, sums.count, zero);
+        viscousV_.store(first, sums.count, zero);
+        densityExcess_.store(0, first, sums.count, zero[0]);
+        return;
+    }
+
     ulph::laneRow perWeight;
     ulph::forLanes(sums.count, [&](const int l)
     {
