@@ -49,6 +49,8 @@ ulph::clusterList::sourceGroup Foam::neighbourSearch::wallGroup() const
 
 void Foam::neighbourSearch::build()
 {
+    setSkin(nextSkin());
+    nUses_ = 1;
     const int width = sums_->width();
 
     halo_.clear();
@@ -56,7 +58,7 @@ void Foam::neighbourSearch::build()
     cloud_.permute(fluid_.sort(cloud_.view(), width));
     // Wall particles in reach of an image see what is in reach of them
     halo_.make((wall_.any() ? 2 : 1)*reach(skin_), width);
-    wall_.update(wallCells_, reach(wideSkin_) + farthest_);
+    wall_.update(wallCells_, reach(wideSkin()) + farthest_);
     wall_.permute(wallParticles_.sort(wall_.view(), width));
 
     fitClusters();
@@ -96,7 +98,7 @@ bool Foam::neighbourSearch::renew()
         sinceBuild_.measure(all, skin_) ? &sinceBuild_ : nullptr;
     const bool any = fluidRenewed_.any() || wallRenewed_.any();
     const listAge* const sinceRenewal =
-        any && sinceRenewal_.measure(all, wideSkin_) ? &sinceRenewal_ : nullptr;
+        any && sinceRenewal_.measure(all, wideSkin()) ? &sinceRenewal_ : nullptr;
 
     const auto outdated = [&]
     (
@@ -107,7 +109,7 @@ bool Foam::neighbourSearch::renew()
         return renewed.outdated
         (
             *group.clusters, group.particles,
-            sinceBuild, skin_, sinceRenewal, wideSkin_
+            sinceBuild, skin_, sinceRenewal, wideSkin()
         );
     };
     const bool fluidOutdated = outdated(fluidRenewed_, fluidGroup());
@@ -133,14 +135,14 @@ bool Foam::neighbourSearch::renew()
     (
         fluidRenewed_.numbers(),
         fluidGroup(),
-        reach(wideSkin_),
+        reach(wideSkin()),
         {fluidGroup(), haloGroup(), wallGroup()}
     );
     wallList_.renew
     (
         wallRenewed_.numbers(),
         wallGroup(),
-        reach(wideSkin_),
+        reach(wideSkin()),
         {fluidGroup(), haloGroup(), {}}
     );
     sinceRenewal_.reset(all);
@@ -163,8 +165,8 @@ Foam::neighbourSearch::neighbourSearch
     cloud_(cloud),
     wall_(wall),
     sums_(weight.sums(cloud.shared().mixed)),
-    skin_(skin*cloud.dx()),
-    wideSkin_(2*skin_),
+    widest_(skin*cloud.dx()),
+    skin_(widest_),
     farthest_(2*cloud.dx()),
     stray_(0.5*cloud.dx()),
     curve_(std::make_shared<ulph::cellCurve>(makeCells(cloud, 8*cloud.dx()))),
@@ -178,6 +180,16 @@ Foam::neighbourSearch::neighbourSearch
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::neighbourSearch::nextSkin() const
+{
+    // A build takes as long as pairs out of reach do in so many uses of lists with a
+    // skin of dx
+    const scalar perBuild = cloud_.D() == 2 ? 2 : 1;
+
+    return valid_ ? std::sqrt(perBuild*cloud_.dx()*skin_/nUses_) : skin_;
+}
+
 
 bool Foam::neighbourSearch::contains() const
 {
@@ -227,6 +239,7 @@ bool Foam::neighbourSearch::update()
      && renew()
     )
     {
+        ++nUses_;
         return false;
     }
     build();

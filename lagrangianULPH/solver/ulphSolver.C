@@ -162,6 +162,7 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
     tools_.reset(new stepTools(rates_, contact_, motion_, guard_));
     const dictionary written(cloud_.readProperties(time.timeName()));
     tools_->setDensityLag(written.getOrDefault<scalar>("densityLag", 0));
+    neighbours_.setSkin(written.getOrDefault<scalar>("skin", GREAT));
     tools_->setMaxAcceleration
     (
         written.getOrDefault<scalar>
@@ -269,6 +270,7 @@ void Foam::ulphSolver::writeCloud() const
     extra.add("time", time_.value());
     extra.add("maxAcceleration", tools_->maxAcceleration());
     extra.add("densityLag", tools_->densityLag());
+    extra.add("skin", neighbours_.nextSkin());
     cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
 }
 
