@@ -90,8 +90,8 @@ void Foam::neighbourSearch::fitClusters()
 
 bool Foam::neighbourSearch::renew()
 {
-    // What is renewed is renewed often
-    constexpr scalar many = 0.6;
+    // Walls take long to choose anew; without them it is memory that counts
+    const scalar many = wall_.any() ? 0.6 : 0.2;
 
     const ulph::particleView all(cloud_.totalView());
     const listAge* const sinceBuild =
