@@ -198,17 +198,17 @@ static void skinChecks(tally& t, const scene& where)
 }
 
 
-//- Two balls, and the number of particles of each
-static std::pair<scene, int> twoBalls(const int D)
+//- Balls about centres, and the number of particles of each
+static std::pair<scene, int> balls(const int D, const std::vector<vec>& centres)
 {
     scene where(scene::ball(D));
     const int n = where.state.size();
     std::vector<vec> places;
-    for (const double side : {-1, 1})
+    for (const vec& centre : centres)
     {
         for (const vec& x : where.state.x)
         {
-            places.push_back(x + side*vec(D == 2 ? 0.4 : 0.6, 0, 0));
+            places.push_back(x + centre);
         }
     }
     where.state = fluidState::random(D, where.dx, places);
@@ -219,7 +219,8 @@ static std::pair<scene, int> twoBalls(const int D)
 //- Two balls that move past each other keep their lists; stirred, they do not
 static void partChecks(tally& t, const int D)
 {
-    const auto [where, size] = twoBalls(D);
+    const double offset = D == 2 ? 0.4 : 0.6;
+    const auto [where, size] = balls(D, {vec(-offset, 0, 0), vec(offset, 0, 0)});
     const int n = size;
     const testCase room(where.name);
     const modelChoice& choice = choices[0];
@@ -405,7 +406,15 @@ void Foam::operatorChecks(tally& t)
     for (const int D : {2, 3})
     {
         partChecks(t, D);
-        const auto [where, size] = twoBalls(D);
+        // Two cells and more apart
+        std::vector<vec> centres;
+        for (int i = 0; i < (D == 2 ? 6 : 8); ++i)
+        {
+            const double y = D == 2 ? i/2 - 1 : i/2 % 2 - 0.5;
+            const double z = D == 2 ? 0 : i/4 - 0.5;
+            centres.push_back(0.65*vec(2*(i % 2) - 1, D == 2 ? y : 2*y, 2*z));
+        }
+        const auto [where, size] = balls(D, centres);
         const int n = size;
         renewalChecks(t, where, [n](const int number) { return number < n; });
     }
