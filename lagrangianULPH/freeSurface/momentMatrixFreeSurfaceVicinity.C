@@ -104,7 +104,7 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     {
         if (any(onSurface_, i))
         {
-            ulph::laneRow sawFluid;
+            ulph::laneRow sawFluid = {};
             ulph::laneRow classes;
             lookAround(search, list[i], sawFluid);
             for (int l = 0; l < list[i].count; ++l)

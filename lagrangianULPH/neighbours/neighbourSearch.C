@@ -70,7 +70,7 @@ void Foam::neighbourSearch::build()
 
     sums_->resize(firstWall() + wall_.size());
 
-    sinceBuild_.reset(cloud_.totalView());
+    sinceBuild_.reset(cloud_.totalView(), skin_);
     fluidRenewed_.reset(fluid_.size());
     wallRenewed_.reset(wallParticles_.size());
     newLists_.resize(fluid_.size());
@@ -95,10 +95,10 @@ bool Foam::neighbourSearch::renew()
 
     const ulph::particleView all(cloud_.totalView());
     const listAge* const sinceBuild =
-        sinceBuild_.measure(all, skin_) ? &sinceBuild_ : nullptr;
+        sinceBuild_.measure(all) ? &sinceBuild_ : nullptr;
     const bool any = fluidRenewed_.any() || wallRenewed_.any();
     const listAge* const sinceRenewal =
-        any && sinceRenewal_.measure(all, wideSkin()) ? &sinceRenewal_ : nullptr;
+        any && sinceRenewal_.measure(all) ? &sinceRenewal_ : nullptr;
 
     const auto outdated = [&]
     (
@@ -108,8 +108,7 @@ bool Foam::neighbourSearch::renew()
     {
         return renewed.outdated
         (
-            *group.clusters, group.particles,
-            sinceBuild, skin_, sinceRenewal, wideSkin()
+            *group.clusters, group.particles, sinceBuild, sinceRenewal
         );
     };
     const bool fluidOutdated = outdated(fluidRenewed_, fluidGroup());
@@ -145,7 +144,7 @@ bool Foam::neighbourSearch::renew()
         reach(wideSkin()),
         {fluidGroup(), haloGroup(), {}}
     );
-    sinceRenewal_.reset(all);
+    sinceRenewal_.reset(all, wideSkin());
     newLists_ = fluidRenewed_.numbers();
     ++nRenewals_;
     return true;
@@ -250,8 +249,9 @@ bool Foam::neighbourSearch::update()
 std::size_t Foam::neighbourSearch::bytes() const
 {
     return sums_->bytes() + fluidList_.bytes() + wallList_.bytes()
-      + fluid_.bytes() + wallParticles_.bytes() + sinceBuild_.bytes()
-      + sinceRenewal_.bytes();
+      + fluid_.bytes() + halo_.clusters().bytes() + wallParticles_.bytes()
+      + sinceBuild_.bytes() + sinceRenewal_.bytes() + fluidRenewed_.bytes()
+      + wallRenewed_.bytes() + sizeof(int)*newLists_.capacity();
 }
 
 

@@ -12,9 +12,7 @@ bool Foam::renewedClusters::outdated
     const ulph::particleClusters& clusters,
     const ulph::particleView& particles,
     const listAge* sinceBuild,
-    const scalar skin,
-    const listAge* sinceRenewal,
-    const scalar renewedSkin
+    const listAge* sinceRenewal
 )
 {
     // Lists that are renewed today need not be tomorrow
@@ -26,14 +24,13 @@ bool Foam::renewedClusters::outdated
     #pragma omp parallel for schedule(static) reduction(|| : any)
     for (int c = 0; c < clusters.size(); ++c)
     {
-        const bool renewed = isRenewed_[c];
-        const listAge* const age = renewed ? sinceRenewal : sinceBuild;
+        const listAge* const age = isRenewed_[c] ? sinceRenewal : sinceBuild;
         if (age)
         {
             const scalar way =
                 age->relative(particles, clusters.first(c), clusters.count(c));
-            any = any || way > (renewed ? renewedSkin : skin);
-            isDue_[c] = way > nearlyAll*skin;
+            any = any || way > age->skin();
+            isDue_[c] = way > nearlyAll*age->skin();
         }
     }
     return any;

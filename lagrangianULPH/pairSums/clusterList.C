@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <omp.h>
 
 namespace ulph
@@ -175,11 +176,9 @@ void listSources
 
 } // End anonymous namespace
 
-template<class Number>
 void clusterList::list
 (
-    const Number& number,
-    const int n,
+    const std::vector<int>& which,
     const int firstPart,
     const sourceGroup& targets,
     const double reach,
@@ -187,6 +186,7 @@ void clusterList::list
 )
 {
     const int nParts = int(parts_.size())/2;
+    const std::int64_t n = std::int64_t(which.size());
 
     #pragma omp parallel for schedule(dynamic, 1)
     for (int t = 0; t < nParts; ++t)
@@ -195,12 +195,12 @@ void clusterList::list
         std::vector<sources::step> part(std::move(parts_[firstPart + t]));
         part.clear();
         indexList listed;
-        const int start = int(std::int64_t(n)*t/nParts);
-        const int last = int(std::int64_t(n)*(t + 1)/nParts);
+        const int start = int(n*t/nParts);
+        const int last = int(n*(t + 1)/nParts);
         for (int i = start; i < last; ++i)
         {
             makeRoom(part, i - start, last - start);
-            cluster& now = clusters_[number(i)];
+            cluster& now = clusters_[which[i]];
             now.part = firstPart + t;
             const int first = now.first - targets.offset;
             const particleBox box(targets.particles, first, now.count);
@@ -258,7 +258,9 @@ void clusterList::build
     {
         parts_[t].clear();
     }
-    list([](const int i) { return i; }, size(), 0, targets, reach, groups);
+    std::vector<int> all(size());
+    std::iota(all.begin(), all.end(), 0);
+    list(all, 0, targets, reach, groups);
 }
 
 void clusterList::renew
@@ -269,15 +271,7 @@ void clusterList::renew
     const sourceGroups& groups
 )
 {
-    list
-    (
-        [&](const int i) { return which[i]; },
-        int(which.size()),
-        int(parts_.size())/2,
-        targets,
-        reach,
-        groups
-    );
+    list(which, int(parts_.size())/2, targets, reach, groups);
 }
 
 std::size_t clusterList::bytes() const
