@@ -143,11 +143,11 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
         geometrySink sink
         (
             cloud_, models_, wall_.forceAtRest(t), surfaceFirst, ahead,
-            wall_.tankVelocity().perLength
+            wall_.tankVelocity().perLength, diffusing_
         );
         search_.sums().geometry
         (
-            search_.fluidList(), {}, schedule_.geometrySums(), sink
+            search_.fluidList(), {}, schedule_.geometrySums(diffusing_), sink
         );
     }
 }
@@ -194,7 +194,8 @@ void Foam::rightHandSide::force
         ledger::section timer(ledger_, "pack");
 
         particleField& K = *cloud_.derived("inverseMoment");
-        particleField* const gradient = cloud_.derived("densityGradient");
+        particleField* const gradient =
+            diffusing_ ? cloud_.derived("densityGradient") : nullptr;
         search_.halo().copy(K);
         if (gradient)
         {
@@ -229,10 +230,10 @@ void Foam::rightHandSide::force
     timer.addPairs(search_.fluidList().nPairs());
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    forceSink sink(cloud_, models_, bodyForce(first, last));
+    forceSink sink(cloud_, models_, bodyForce(first, last), diffusing_);
     search_.sums().force
     (
-        search_.fluidList(), schedule_.forceSums(), viscous, sink
+        search_.fluidList(), schedule_.forceSums(diffusing_), viscous, sink
     );
 }
 

@@ -49,7 +49,8 @@ Foam::geometrySink::geometrySink
     const linearMap& force,
     const bool surfaceKnown,
     const scalar ahead,
-    const tensor& tankGradient
+    const tensor& tankGradient,
+    const bool diffusing
 )
 :
     cloud_(cloud),
@@ -65,7 +66,7 @@ Foam::geometrySink::geometrySink
     surface_(cloud.derived("surface")),
     lambda_(cloud.derived("lambda")),
     gradient_(cloud.derived("densityGradient")),
-    diffusion_(cloud.derived("densityDiffusion")),
+    diffusion_(diffusing ? cloud.derived("densityDiffusion") : nullptr),
     relaxation_(cloud.derived("densityRelaxation")),
     shift_(cloud.derived("shift"))
 {
@@ -242,7 +243,8 @@ Foam::forceSink::forceSink
 (
     ulphCloud& cloud,
     const ulphModels& models,
-    const linearMap& force
+    const linearMap& force,
+    const bool diffusing
 )
 :
     cloud_(cloud),
@@ -252,7 +254,7 @@ Foam::forceSink::forceSink
     b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
     viscous_(cloud.derived("viscousAcceleration")),
-    diffusion_(cloud.saved("neighbourDiffusion"))
+    diffusion_(diffusing ? cloud.saved("neighbourDiffusion") : nullptr)
 {}
 
 

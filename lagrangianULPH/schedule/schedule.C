@@ -89,12 +89,17 @@ static void printRow
 
 Foam::schedule::schedule(ulphModels& models, ulphCloud& cloud)
 :
-    needs_(coreNeeds(cloud))
+    needs_(coreNeeds(cloud)),
+    undiffused_(needs_)
 {
     UPtrList<effect> effects(models.all());
     for (const effect& e : effects)
     {
         needs_.add(e.needs());
+        if (&e != models.diffusion.get())
+        {
+            undiffused_.add(e.needs());
+        }
     }
     for (const word& name : needs_.fields.sortedToc())
     {

@@ -22,9 +22,11 @@ namespace timeIntegrations
 
 Foam::timeIntegrations::predictorCorrector::predictorCorrector
 (
-    const dictionary&,
+    const dictionary& dict,
     const ulphCloud&
 )
+:
+    frozenDiffusion_(dict.getOrDefault("frozenDiffusion", true))
 {}
 
 
@@ -50,12 +52,14 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.advanceDensity(0, 0.5*dt);
 
     const bool newLists = tools.updateNeighbours(t + 0.5*dt);
+    rates.setDiffusing(newLists || !frozenDiffusion_);
     rates.geometry(t + 0.5*dt);
     if (newLists)
     {
         rates.findSurface();
     }
     rates.force(t, t + dt, false);
+    rates.setDiffusing(true);
 
     tools.advanceSaved(t, dt);
     tools.shift(t + dt, dt);
