@@ -5,6 +5,7 @@
 
 #include "centralForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -28,7 +29,9 @@ Foam::bodyForces::centralForce::centralForce
 :
     Psi_(dict.get<scalar>("Psi")),
     centre_(dict.getOrDefault<point>("centre", Zero))
-{}
+{
+    refuseMisspelt(dict, {"type", "Psi", "centre"});
+}
 
 
 // ************************************************************************* //

@@ -120,7 +120,7 @@ void Foam::wallContact::update
         return;
     }
 
-    const scalar reach = cloud_.dx() + neighbours.skin();
+    const scalar reach = cloud_.dx() + neighbours.widestSkin();
     const ulph::clusterList& list = neighbours.fluidList();
     const std::vector<int>& which = neighbours.newLists();
     if (label(which.size()) == list.size())

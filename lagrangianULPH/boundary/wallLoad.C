@@ -85,7 +85,7 @@ Foam::wallLoad::wallLoad
 std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
 {
     const label n = wall_.size();
-    if (n == 0 || neighbours_.nBuilds() == 0)
+    if (n == 0)
     {
         return {};
     }

@@ -309,7 +309,7 @@ void Foam::ulphCloud::permute(const std::vector<int>& order)
 
 void Foam::ulphCloud::translate(const label i, const vector& by)
 {
-    for (const char* const name : {"x", "xSaved"})
+    for (const char* const name : {"x", "xKept"})
     {
         const auto iter = state_.find(name);
         if (iter.found())
@@ -354,9 +354,12 @@ void Foam::ulphCloud::remove(const labelHashSet& removed)
     {
         state_[name]->keep(kept);
     }
+    for (const word& name : derived_.toc())
+    {
+        derived_[name]->keep(kept);
+    }
     origId_.swap(keptId);
     size_ = label(kept.size());
-    sizeDerived();
 }
 
 

@@ -66,6 +66,7 @@ void Foam::ulphCloud::checkProperties
     };
     refuseChange("dx", dx());
     refuseChange("rho0", rho0());
+    refuseChange("c0", c0());
 }
 
 

@@ -191,6 +191,7 @@ void Foam::ulphCloud::write
     properties.add("nParticles", n);
     properties.add("dx", dx());
     properties.add("rho0", rho0());
+    properties.add("c0", c0());
     writeChecked(properties, IOstream::ASCII, 17);
 }
 

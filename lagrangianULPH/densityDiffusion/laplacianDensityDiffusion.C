@@ -33,7 +33,9 @@ Foam::densityDiffusions::laplacianDensityDiffusion::laplacianDensityDiffusion
         getInRange(dict, "delta", 0.1, scalarMinMax::ge(0))
        *cloud.h()*cloud.c0()
     )
-{}
+{
+    refuseMisspelt(dict, {"type", "delta"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -5,6 +5,7 @@
 
 #include "momentDensityRelaxation.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 #include "symmetric.H"
 #include "MinMax.H"
 
@@ -37,7 +38,9 @@ Foam::densityRelaxations::momentDensityRelaxation::momentDensityRelaxation
         dict.getCheckOrDefault<scalar>("k", 0.005, scalarMinMax::ge(0))
        *cloud.c0()*cloud.rho0()/cloud.h()
     )
-{}
+{
+    refuseMisspelt(dict, {"type", "k"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

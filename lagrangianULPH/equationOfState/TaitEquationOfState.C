@@ -32,7 +32,9 @@ Foam::equationsOfState::TaitEquationOfState::TaitEquationOfState
         getInRange(dict, "gamma", 7, scalarMinMax::ge(SMALL))
     ),
     stiffness_(rho0_*sqr(cloud.c0())/gamma_)
-{}
+{
+    refuseMisspelt(dict, {"type", "gamma"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

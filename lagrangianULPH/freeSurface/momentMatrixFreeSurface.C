@@ -61,7 +61,9 @@ Foam::freeSurfaces::momentMatrixFreeSurface::momentMatrixFreeSurface
     surface_(threshold(dict, "surface", surfaceFraction, cloud)),
     interior_(threshold(dict, "interior", interiorFraction, cloud)),
     thin_(thinFraction*cloud.shared().beta/sqr(cloud.dx()))
-{}
+{
+    refuseMisspelt(dict, {"type", "surface", "interior"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -67,13 +67,16 @@ Foam::wordList Foam::functionObjects::ulphForces::columns() const
 
 Foam::scalarList Foam::functionObjects::ulphForces::row()
 {
+    const wallLoad& walls =
+        mesh_.lookupObject<wallLoad>(wallLoad::typeName);
+    if (!walls.known())
+    {
+        return {};
+    }
+
     vector pressure(Zero), viscous(Zero);
     vector pressureMoment(Zero), viscousMoment(Zero);
-    for
-    (
-        const wallLoad::load& load :
-        mesh_.lookupObject<wallLoad>(wallLoad::typeName).evaluate()
-    )
+    for (const wallLoad::load& load : walls.evaluate())
     {
         if (patches_.found(load.patch))
         {

@@ -126,6 +126,10 @@ bool Foam::functionObjects::ulphFunctionObject::write()
 {
     const wordList names(columns());
     const scalarList values(row());
+    if (values.empty())
+    {
+        return true;
+    }
 
     Log << type() << ' ' << name() << " write:" << nl;
     forAll(names, i)

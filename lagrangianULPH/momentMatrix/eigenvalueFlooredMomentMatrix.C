@@ -35,7 +35,9 @@ Foam::momentMatrices::eigenvalueFlooredMomentMatrix::eigenvalueFlooredMomentMatr
             dict, "floor", 0.5, scalarMinMax(SMALL, 1)
         )
     )
-{}
+{
+    refuseMisspelt(dict, {"type", "floor"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

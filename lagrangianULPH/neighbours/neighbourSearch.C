@@ -58,7 +58,7 @@ void Foam::neighbourSearch::build()
     cloud_.permute(fluid_.sort(cloud_.view(), width));
     // Wall particles in reach of an image see what is in reach of them
     halo_.make((wall_.any() ? 2 : 1)*reach(skin_), width);
-    wall_.update(wallCells_, reach(wideSkin()) + farthest_);
+    wall_.update(wallCells_, reach(widestSkin()) + farthest_);
     wall_.permute(wallParticles_.sort(wall_.view(), width));
 
     fitClusters();
@@ -134,17 +134,17 @@ bool Foam::neighbourSearch::renew()
     (
         fluidRenewed_.numbers(),
         fluidGroup(),
-        reach(wideSkin()),
+        reach(widestSkin()),
         {fluidGroup(), haloGroup(), wallGroup()}
     );
     wallList_.renew
     (
         wallRenewed_.numbers(),
         wallGroup(),
-        reach(wideSkin()),
+        reach(widestSkin()),
         {fluidGroup(), haloGroup(), {}}
     );
-    sinceRenewal_.reset(all, wideSkin());
+    sinceRenewal_.reset(all, widestSkin());
     newLists_ = fluidRenewed_.numbers();
     ++nRenewals_;
     return true;
@@ -228,18 +228,20 @@ void Foam::neighbourSearch::wrap()
 
 bool Foam::neighbourSearch::update()
 {
-    halo_.copyPositions();
     newLists_.clear();
-    if
-    (
-        valid_
-     && !halo_.strayed(stray_)
-     && sinceBuild_.farthest(cloud_.totalView()) < farthest_
-     && renew()
-    )
+    if (valid_)
     {
-        ++nUses_;
-        return false;
+        halo_.copyPositions();
+        if
+        (
+            !halo_.strayed(stray_)
+         && sinceBuild_.farthest(cloud_.totalView()) < farthest_
+         && renew()
+        )
+        {
+            ++nUses_;
+            return false;
+        }
     }
     build();
     return true;

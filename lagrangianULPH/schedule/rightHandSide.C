@@ -238,7 +238,7 @@ void Foam::rightHandSide::force
 }
 
 
-void Foam::rightHandSide::divergence(const scalar t, const scalar later)
+void Foam::rightHandSide::forgetDivergence()
 {
     particleField* const afterKick = cloud_.saved("divergenceAfterKick");
     if (!afterKick)
@@ -251,7 +251,13 @@ void Foam::rightHandSide::divergence(const scalar t, const scalar later)
     {
         afterKick->store(0, first, count, notTaken);
     });
-    if (!wall_.size())
+}
+
+
+void Foam::rightHandSide::divergence(const scalar t, const scalar later)
+{
+    forgetDivergence();
+    if (!wall_.size() || !cloud_.saved("divergenceAfterKick"))
     {
         return;
     }

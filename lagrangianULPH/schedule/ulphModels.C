@@ -66,6 +66,32 @@ static const char* const weightless =
     "densityDiffusion   { type ULPH; delta 0.1; }"
     "densityRelaxation  none;";
 
+//- Of the type that the mode has, coefficients that are not given are the mode's
+static void addCoefficients(const entry& model, dictionary& all)
+{
+    const word& family = model.keyword();
+    const word type(model.dict().get<word>("type"));
+    if (!all.isDict(family))
+    {
+        if (all.get<word>(family) == type)
+        {
+            all.set(model);
+        }
+        return;
+    }
+    dictionary& chosen = all.subDict(family);
+    if (chosen.getOrDefault<word>("type", word::null) == type)
+    {
+        for (const entry& coefficient : model.dict())
+        {
+            if (!chosen.found(coefficient.keyword()))
+            {
+                chosen.add(coefficient);
+            }
+        }
+    }
+}
+
 } // End namespace Foam
 
 
@@ -126,9 +152,14 @@ Foam::dictionary Foam::ulphModels::complete
         const dictionary defaults((IStringStream(entries)()));
         for (const entry& e : defaults)
         {
-            if (!all.found(e.keyword()))
+            const word& family = e.keyword();
+            if (!all.found(family))
             {
                 all.add(e);
+            }
+            else if (e.isDict())
+            {
+                addCoefficients(e, all);
             }
         }
     };

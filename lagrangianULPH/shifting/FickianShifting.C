@@ -33,7 +33,9 @@ Foam::shiftings::FickianShifting::FickianShifting
         "kernelGradient",
         cloud.h()/cloud.shared().beta
     )
-{}
+{
+    refuseMisspelt(dict, {"type", "C"});
+}
 
 
 // ************************************************************************* //

@@ -31,7 +31,9 @@ Foam::shiftings::XuStansbyLaurenceShifting::XuStansbyLaurenceShifting
         getInRange(dict, "C", 0.04, scalarMinMax::ge(0)),
         cloud
     )
-{}
+{
+    refuseMisspelt(dict, {"type", "C"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -207,8 +207,12 @@ void Foam::ulphSolver::setDeltaT()
         );
 
         // The step to a write time comes from differences of times that a
-        // restart takes from another start: in float it is the same
-        time_.setDeltaT(scalar(float(time_.deltaTValue())), false);
+        // restart takes from another start: in float it is the same. A little more,
+        // as halfway between two floats is where such steps often are.
+        time_.setDeltaT
+        (
+            scalar(float((1 + 1e-8)*time_.deltaTValue())), false
+        );
     }
     guard_.checkDeltaT(time_.deltaTValue(), cloud_.h()/cloud_.c0());
 }
@@ -216,6 +220,7 @@ void Foam::ulphSolver::setDeltaT()
 
 void Foam::ulphSolver::evaluate()
 {
+    rates_.forgetDivergence();
     rates_.updateNeighbours(time_.value());
     rates_.geometry(time_.value());
     rates_.findSurface();
@@ -259,6 +264,7 @@ void Foam::ulphSolver::removeEscaped()
         );
         guard_.countEscaped(escaped);
         cloud_.remove(labelHashSet(escaped));
+        contact_.clear();
         neighbours_.invalidate();
     }
 }
@@ -271,6 +277,10 @@ void Foam::ulphSolver::writeCloud() const
     extra.add("maxAcceleration", tools_->maxAcceleration());
     extra.add("densityLag", tools_->densityLag());
     extra.add("skin", neighbours_.nextSkin());
+    if (time_.timeIndex() == 0)
+    {
+        extra.add("regions", regionsDigest());
+    }
     cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
 }
 
@@ -287,6 +297,7 @@ bool Foam::ulphSolver::writeLastGood()
     }
     // A restart evaluates it anew
     cloud_.setSavedKnown(false);
+    neighbours_.wrap();
     writeCloud();
     return kept;
 }
@@ -304,6 +315,7 @@ void Foam::ulphSolver::write(const bool always)
     writeCloud();
 
     // A restart from here makes new lists: so must this run, to stay the same
+    contact_.clear();
     neighbours_.invalidate();
 }
 

@@ -95,19 +95,40 @@ void Foam::ulphSolver::refuseLostParticles() const
 }
 
 
+Foam::string Foam::ulphSolver::regionsDigest() const
+{
+    return properties_.subOrEmptyDict("regions").digest().str();
+}
+
+
+void Foam::ulphSolver::refuseOtherRegions(const dictionary& written) const
+{
+    const string now(regionsDigest());
+    if (written.getOrDefault<string>("regions", now) != now)
+    {
+        FatalIOErrorInFunction(entryPlace(properties_, "regions"))
+            << "There are particles of time " << time_.timeName()
+            << ", made for other regions than these." << nl
+            << "    Remove the folder "
+            << time_.timePath()/cloud::prefix/cloud_.name()
+            << " to have these filled, or set them back."
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::ulphSolver::makeParticles()
 {
     if (ulphCloud::found(mesh_, time_.timeName()))
     {
         cloud_.read(time_.timeName());
+        const dictionary written(cloud_.readProperties(time_.timeName()));
+        refuseOtherRegions(written);
 
         // The name of the time directory is a rounded value
         time_.setTime
         (
-            cloud_.readProperties(time_.timeName()).getOrDefault<scalar>
-            (
-                "time", time_.value()
-            ),
+            written.getOrDefault<scalar>("time", time_.value()),
             time_.timeIndex()
         );
         Info<< "Read " << cloud_.size() << " particles of time "

@@ -5,6 +5,7 @@
 
 #include "predictorCorrector.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 #include "stepTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -27,7 +28,9 @@ Foam::timeIntegrations::predictorCorrector::predictorCorrector
 )
 :
     frozenDiffusion_(dict.getOrDefault("frozenDiffusion", true))
-{}
+{
+    refuseMisspelt(dict, {"type", "frozenDiffusion"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -51,10 +54,10 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.kick(t, 0.5*dt);
     tools.advanceDensity(0, 0.5*dt);
 
-    const bool newLists = tools.updateNeighbours(t + 0.5*dt);
-    rates.setDiffusing(newLists || !frozenDiffusion_);
+    const bool reordered = tools.updateNeighbours(t + 0.5*dt);
+    rates.setDiffusing(reordered || !frozenDiffusion_);
     rates.geometry(t + 0.5*dt);
-    if (newLists)
+    if (reordered)
     {
         rates.findSurface();
     }

@@ -32,7 +32,9 @@ Foam::viscosities::artificialViscosity::artificialViscosity
        *cloud.h()*cloud.c0()*cloud.rho0()
     ),
     symmetric_(dict.getOrDefault("symmetric", true))
-{}
+{
+    refuseMisspelt(dict, {"type", "alpha", "symmetric"});
+}
 
 
 // ************************************************************************* //

@@ -32,7 +32,9 @@ Foam::viscosities::laminarViscosity::laminarViscosity
        *2*(cloud.D() + 2)*cloud.rho0()
     ),
     symmetric_(dict.getOrDefault("symmetric", true))
-{}
+{
+    refuseMisspelt(dict, {"type", "nu", "symmetric"});
+}
 
 
 // ************************************************************************* //
