@@ -343,7 +343,7 @@ void Foam::wallLayer::fill
     x_.load(first, count, tile.x);
     volume_.load(0, first, count, tile.V);
     densityExcess_.load(0, first, count, tile.s);
-    v_.load(first, count, tile.v);
+    loadVelocity(first, count, tile.v);
 }
 
 
@@ -365,12 +365,13 @@ void Foam::wallLayer::fill
     state_.pressure(count, rho1, tile.p);
 
     // The density gradient in balance with the body force
-    bodyForce_.load(first, count, tile.g);
+    bodyForce_.load(first, count, tile.gradientOrVelocity);
     for (label l = 0; l < count; ++l)
     {
         for (int k = 0; k < D; ++k)
         {
-            tile.g[k][l] *= cloud_.rho0()/sqr(cloud_.c0());
+            tile.gradientOrVelocity[k][l] *=
+                cloud_.rho0()/sqr(cloud_.c0())*tile.V[l];
             for (int m = k; m < D; ++m)
             {
                 tile.K[ulph::symmetricIndex(D, k, m)][l] = k == m ? inverseMoment() : 0;

@@ -104,11 +104,9 @@ public:
                 }
                 nearest = min(nearest, d2);
             }
-            alignas(64) float d2[width];
-            nearest.copy_to(d2, stdx::vector_aligned);
-            listed.appendIf
+            listed.appendSet
             (
-                offset + first, count, [&](const int l) { return d2[l] < reach2; }
+                offset + first, lanesSet(nearest < reach2) & ((1u << count) - 1)
             );
         }
     }

@@ -30,13 +30,17 @@ void Foam::rightHandSide::loadVelocity
 }
 
 
-void Foam::rightHandSide::packFluid()
+void Foam::rightHandSide::copyImages()
 {
     haloParticles& halo = search_.halo();
     halo.copyPositions();
     halo.copy(cloud_.v());
     halo.copy(cloud_.densityExcess());
+}
 
+
+void Foam::rightHandSide::packFluid()
+{
     forTiles(cloud_.total(), [&](const label first, const label count)
     {
         ulph::geometryTile tile;
@@ -73,6 +77,73 @@ void Foam::rightHandSide::updateWalls(const bool firstAtPositions)
     }
     search_.sums().interpolate(search_.wallList(), wall_);
     pack();
+}
+
+
+void Foam::rightHandSide::packForces(const bool withDivergence)
+{
+    ledger::section timer(ledger_, "pack");
+
+    particleField& K = *cloud_.derived("inverseMoment");
+    particleField* const gradient =
+        withDivergence ? nullptr : cloud_.derived("densityGradient");
+    search_.halo().copy(K);
+    if (gradient)
+    {
+        search_.halo().copy(*gradient);
+    }
+
+    forTiles(cloud_.total(), [&](const label first, const label count)
+    {
+        ulph::forceTile tile = {};
+        ulph::laneRow rho1;
+        cloud_.x().load(first, count, tile.x);
+        cloud_.v().load(first, count, tile.v);
+        cloud_.volumes(first, count, tile.V);
+        cloud_.densityExcess().load(0, first, count, rho1);
+        models_.state->pressure(count, rho1, tile.p);
+        K.load(first, count, tile.K);
+        if (withDivergence)
+        {
+            loadVelocity(first, count, tile.gradientOrVelocity);
+        }
+        else if (gradient)
+        {
+            gradient->load(first, count, tile.gradientOrVelocity);
+            for (int k = 0; k < cloud_.D(); ++k)
+            {
+                ulph::forLanes(count, [&](const int l)
+                {
+                    tile.gradientOrVelocity[k][l] *= tile.V[l];
+                });
+            }
+        }
+        search_.sums().pack(first, count, tile);
+    });
+    forTiles(wall_.size(), [&](const label first, const label count)
+    {
+        ulph::forceTile tile;
+        wall_.fill(first, count, tile);
+        if (withDivergence)
+        {
+            wall_.loadVelocity(first, count, tile.gradientOrVelocity);
+        }
+        search_.sums().pack(search_.firstWall() + first, count, tile);
+    });
+}
+
+
+void Foam::rightHandSide::sumForces
+(
+    const unsigned sums,
+    accelerationSink& sink
+)
+{
+    ledger::section timer(ledger_, "forcePass");
+    timer.addPairs(search_.fluidList().nPairs());
+    ulph::viscousSettings viscous;
+    viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
+    search_.sums().force(search_.fluidList(), sums, viscous, sink);
 }
 
 
@@ -117,6 +188,7 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
     wall_.setTime(t, t - ahead);
     {
         ledger::section timer(ledger_, "pack");
+        copyImages();
         packFluid();
     }
     updateWalls(true);
@@ -143,11 +215,11 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
         geometrySink sink
         (
             cloud_, models_, wall_.forceAtRest(t), surfaceFirst, ahead,
-            wall_.tankVelocity().perLength, diffusing_
+            wall_.tankVelocity().perLength
         );
         search_.sums().geometry
         (
-            search_.fluidList(), {}, schedule_.geometrySums(diffusing_), sink
+            search_.fluidList(), {}, schedule_.geometrySums(), sink
         );
     }
 }
@@ -190,51 +262,32 @@ void Foam::rightHandSide::force
         }
         updateWalls(false);
     }
+    packForces(false);
+    forceSink sink(cloud_, models_, bodyForce(first, last));
+    sumForces(schedule_.forceSums(), sink);
+}
+
+
+void Foam::rightHandSide::frozenForce
+(
+    const scalar t,
+    const scalar first,
+    const scalar last
+)
+{
+    wall_.setTime(t, t);
     {
         ledger::section timer(ledger_, "pack");
-
-        particleField& K = *cloud_.derived("inverseMoment");
-        particleField* const gradient =
-            diffusing_ ? cloud_.derived("densityGradient") : nullptr;
-        search_.halo().copy(K);
-        if (gradient)
+        copyImages();
+        if (wall_.size())
         {
-            search_.halo().copy(*gradient);
+            packFluid();
         }
-
-        forTiles(cloud_.total(), [&](const label first, const label count)
-        {
-            ulph::forceTile tile = {};
-            ulph::laneRow rho1;
-            cloud_.x().load(first, count, tile.x);
-            cloud_.v().load(first, count, tile.v);
-            cloud_.volumes(first, count, tile.V);
-            cloud_.densityExcess().load(0, first, count, rho1);
-            models_.state->pressure(count, rho1, tile.p);
-            K.load(first, count, tile.K);
-            if (gradient)
-            {
-                gradient->load(first, count, tile.g);
-            }
-            search_.sums().pack(first, count, tile);
-        });
-        forTiles(wall_.size(), [&](const label first, const label count)
-        {
-            ulph::forceTile tile;
-            wall_.fill(first, count, tile);
-            search_.sums().pack(search_.firstWall() + first, count, tile);
-        });
     }
-
-    ledger::section timer(ledger_, "forcePass");
-    timer.addPairs(search_.fluidList().nPairs());
-    ulph::viscousSettings viscous;
-    viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    forceSink sink(cloud_, models_, bodyForce(first, last), diffusing_);
-    search_.sums().force
-    (
-        search_.fluidList(), schedule_.forceSums(diffusing_), viscous, sink
-    );
+    updateWalls(true);
+    packForces(true);
+    frozenForceSink sink(cloud_, models_, bodyForce(first, last));
+    sumForces(schedule_.frozenForceSums(), sink);
 }
 
 

@@ -16,7 +16,7 @@ namespace Foam
 static void meanOfWalls
 (
     const int D,
-    const ulph::geometryBlock& sums,
+    const ulph::divergenceBlock& sums,
     const scalar beta,
     const ulph::laneRow* K,
     ulph::laneRow& div
@@ -37,6 +37,24 @@ static void meanOfWalls
     }
 }
 
+//- Divergence with an inverse moment found before
+static void storeDivergence
+(
+    const int D,
+    const ulph::divergenceBlock& sums,
+    const scalar beta,
+    const particleField& inverseMoment,
+    particleField& divergence
+)
+{
+    ulph::laneRow K[6];
+    inverseMoment.load(sums.first, sums.count, K);
+    ulph::laneRow div = {};
+    momentTensor::addContraction(D, sums.count, 1, K, sums.L, div);
+    meanOfWalls(D, sums, beta, K, div);
+    divergence.store(0, sums.first, sums.count, div);
+}
+
 } // End namespace Foam
 
 
@@ -49,8 +67,7 @@ Foam::geometrySink::geometrySink
     const linearMap& force,
     const bool surfaceKnown,
     const scalar ahead,
-    const tensor& tankGradient,
-    const bool diffusing
+    const tensor& tankGradient
 )
 :
     cloud_(cloud),
@@ -66,7 +83,7 @@ Foam::geometrySink::geometrySink
     surface_(cloud.derived("surface")),
     lambda_(cloud.derived("lambda")),
     gradient_(cloud.derived("densityGradient")),
-    diffusion_(diffusing ? cloud.derived("densityDiffusion") : nullptr),
+    diffusion_(cloud.derived("densityDiffusion")),
     relaxation_(cloud.derived("densityRelaxation")),
     shift_(cloud.derived("shift"))
 {
@@ -207,12 +224,7 @@ Foam::divergenceSink::divergenceSink(ulphCloud& cloud)
 
 void Foam::divergenceSink::take(const ulph::geometryBlock& sums)
 {
-    ulph::laneRow K[6];
-    K_.load(sums.first, sums.count, K);
-    ulph::laneRow div = {};
-    momentTensor::addContraction(D_, sums.count, 1, K, sums.L, div);
-    meanOfWalls(D_, sums, beta_, K, div);
-    afterKick_.store(0, sums.first, sums.count, div);
+    storeDivergence(D_, sums, beta_, K_, afterKick_);
 }
 
 
@@ -237,28 +249,26 @@ void Foam::eigenvalueSink::take(const ulph::geometryBlock& sums)
 }
 
 
-// * * * * * * * * * * * * * * * * forceSink * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * accelerationSink  * * * * * * * * * * * * * * //
 
-Foam::forceSink::forceSink
+Foam::accelerationSink::accelerationSink
 (
     ulphCloud& cloud,
     const ulphModels& models,
-    const linearMap& force,
-    const bool diffusing
+    const linearMap& force
 )
 :
-    cloud_(cloud),
     models_(models),
     force_(force),
-    K_(*cloud.derived("inverseMoment")),
-    b_(*cloud.derived("kernelGradient")),
     acceleration_(*cloud.derived("acceleration")),
     viscous_(cloud.derived("viscousAcceleration")),
-    diffusion_(diffusing ? cloud.saved("neighbourDiffusion") : nullptr)
+    cloud_(cloud),
+    K_(*cloud.derived("inverseMoment")),
+    b_(*cloud.derived("kernelGradient"))
 {}
 
 
-void Foam::forceSink::addBodyForce
+void Foam::accelerationSink::addBodyForce
 (
     const label first,
     const label n,
@@ -274,7 +284,7 @@ void Foam::forceSink::addBodyForce
 }
 
 
-void Foam::forceSink::take(const ulph::forceBlock& sums)
+void Foam::accelerationSink::takeAcceleration(const ulph::forceBlock& sums)
 {
     const int D = cloud_.D();
     const label n = sums.count;
@@ -342,13 +352,57 @@ void Foam::forceSink::take(const ulph::forceBlock& sums)
         addBodyForce(sums.first, n, a);
     }
     acceleration_.store(sums.first, n, a);
+}
 
+
+// * * * * * * * * * * * * * * * * forceSink * * * * * * * * * * * * * * * * //
+
+Foam::forceSink::forceSink
+(
+    ulphCloud& cloud,
+    const ulphModels& models,
+    const linearMap& force
+)
+:
+    accelerationSink(cloud, models, force),
+    model_(*models.diffusion),
+    diffusion_(cloud.saved("neighbourDiffusion"))
+{}
+
+
+void Foam::forceSink::take(const ulph::forceBlock& sums)
+{
+    takeAcceleration(sums);
     if (diffusion_)
     {
+        ulph::laneRow K[6];
         ulph::laneRow rate = {};
-        models_.diffusion->addForceRate(sums, K, rate);
-        diffusion_->store(0, sums.first, n, rate);
+        K_.load(sums.first, sums.count, K);
+        model_.addForceRate(sums, K, rate);
+        diffusion_->store(0, sums.first, sums.count, rate);
     }
+}
+
+
+// * * * * * * * * * * * * * *  frozenForceSink * * * * * * * * * * * * * * * //
+
+Foam::frozenForceSink::frozenForceSink
+(
+    ulphCloud& cloud,
+    const ulphModels& models,
+    const linearMap& force
+)
+:
+    accelerationSink(cloud, models, force),
+    divergence_(*cloud.derived("divergence"))
+{}
+
+
+void Foam::frozenForceSink::take(const ulph::forceBlock& sums)
+{
+    b_.store(sums.first, sums.count, sums.b);
+    storeDivergence(cloud_.D(), sums, cloud_.shared().beta, K_, divergence_);
+    takeAcceleration(sums);
 }
 
 

@@ -89,17 +89,12 @@ static void printRow
 
 Foam::schedule::schedule(ulphModels& models, ulphCloud& cloud)
 :
-    needs_(coreNeeds(cloud)),
-    undiffused_(needs_)
+    needs_(coreNeeds(cloud))
 {
     UPtrList<effect> effects(models.all());
     for (const effect& e : effects)
     {
         needs_.add(e.needs());
-        if (&e != models.diffusion.get())
-        {
-            undiffused_.add(e.needs());
-        }
     }
     for (const word& name : needs_.fields.sortedToc())
     {

@@ -50,7 +50,7 @@ static const char* const paperMode =
     "shifting           { type XuStansbyLaurence; C 0.04; }"
     "viscosity          { type artificial; alpha 0.1; symmetric no; }"
     "wall               slip;"
-    "timeIntegration    { type predictorCorrector; frozenDiffusion no; }";
+    "timeIntegration    { type predictorCorrector; frozenGeometry no; }";
 
 static const char* const stillWalls =
     "viscosity          { type artificial; alpha 0.002; }";

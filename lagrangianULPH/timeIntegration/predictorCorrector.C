@@ -27,9 +27,9 @@ Foam::timeIntegrations::predictorCorrector::predictorCorrector
     const ulphCloud&
 )
 :
-    frozenDiffusion_(dict.getOrDefault("frozenDiffusion", true))
+    frozenGeometry_(dict.getOrDefault("frozenGeometry", true))
 {
-    refuseMisspelt(dict, {"type", "frozenDiffusion"});
+    refuseMisspelt(dict, {"type", "frozenGeometry"});
 }
 
 
@@ -55,14 +55,19 @@ void Foam::timeIntegrations::predictorCorrector::advance
     tools.advanceDensity(0, 0.5*dt);
 
     const bool reordered = tools.updateNeighbours(t + 0.5*dt);
-    rates.setDiffusing(reordered || !frozenDiffusion_);
-    rates.geometry(t + 0.5*dt);
-    if (reordered)
+    if (frozenGeometry_ && !reordered)
     {
-        rates.findSurface();
+        rates.frozenForce(t + 0.5*dt, t, t + dt);
     }
-    rates.force(t, t + dt, false);
-    rates.setDiffusing(true);
+    else
+    {
+        rates.geometry(t + 0.5*dt);
+        if (reordered)
+        {
+            rates.findSurface();
+        }
+        rates.force(t, t + dt, false);
+    }
 
     tools.advanceSaved(t, dt);
     tools.shift(t + dt, dt);

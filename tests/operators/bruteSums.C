@@ -27,7 +27,9 @@ const std::vector<sumGroup> forceGroups
     {"pressure", ulph::pressureSums, 0, {2, 3}},
     {"H", ulph::densityDiffusionSums, 3, {4, 9}},
     {"A", ulph::viscousSums, 12, {2, 3}},
-    {"symmetricA", ulph::symmetricViscousSums, 15, {2, 3}}
+    {"symmetricA", ulph::symmetricViscousSums, 15, {2, 3}},
+    {"b", ulph::divergenceSums, 18, {2, 3}},
+    {"L", ulph::divergenceSums, 21, {4, 9}}
 };
 
 const std::vector<sumGroup> interpolationGroups
@@ -153,7 +155,7 @@ Foam::sumRows Foam::bruteSums::force(const double eta2) const
     const particleSample& s = sample_;
     const int D = s.D;
 
-    sumRows rows(s.nFluid, std::vector<double>(18, 0));
+    sumRows rows(s.nFluid, std::vector<double>(30, 0));
     for (int i = 0; i < s.nFluid; ++i)
     {
         std::vector<double>& row = rows[i];
@@ -166,6 +168,8 @@ Foam::sumRows Foam::bruteSums::force(const double eta2) const
             addTo(row, 3, D, mat(wV*s.g[j]*x.transpose()), false);
             addTo(row, 12, D, vec(wV*pi*x));
             addTo(row, 15, D, vec(wV*pi*s.K[j]*x));
+            addTo(row, 18, D, vec(wV*x));
+            addTo(row, 21, D, mat(wV*(s.v[j] - s.v[i])*x.transpose()), false);
         });
     }
     return rows;

@@ -108,7 +108,7 @@ void Foam::pairRig::renew(const std::vector<int>& which, const double reach)
 }
 
 
-void Foam::pairRig::pack(ulph::pairSums& sums) const
+void Foam::pairRig::pack(ulph::pairSums& sums, const unsigned set) const
 {
     sums.resize(sample.size());
 
@@ -120,7 +120,10 @@ void Foam::pairRig::pack(ulph::pairSums& sums) const
         {
             geometry.x[k][0] = force.x[k][0] = sample.x[i][k];
             geometry.v[k][0] = force.v[k][0] = sample.v[i][k];
-            force.g[k][0] = sample.g[i][k];
+            force.gradientOrVelocity[k][0] =
+                set & ulph::divergenceSums
+              ? sample.v[i][k]
+              : sample.V[i]*sample.g[i][k];
             for (int l = k; l < sample.D; ++l)
             {
                 force.K[ulph::symmetricIndex(sample.D, k, l)][0] =

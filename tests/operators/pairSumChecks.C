@@ -25,7 +25,7 @@ static std::vector<const ulph::laneRow*> rowsOf(const ulph::geometryBlock& s)
 
 static std::vector<const ulph::laneRow*> rowsOf(const ulph::forceBlock& s)
 {
-    return {s.pressure, s.H, s.A, s.symmetricA};
+    return {s.pressure, s.H, s.A, s.symmetricA, s.b, s.L};
 }
 
 
@@ -143,7 +143,7 @@ static void compare
     tally& t,
     const std::string& what,
     const pairRig& rig,
-    const ulph::pairSums& sums,
+    ulph::pairSums& sums,
     const std::string& kernel,
     const double h,
     const double bound
@@ -189,6 +189,7 @@ static void compare
     forCompiledSets([&](const unsigned set)
     {
         comparison<ulph::forceBlock> all(s.D, 0, set, forceGroups, force);
+        rig.pack(sums, set);
         sums.force(rig.fluidList, set, {eta2}, all);
         all.judge(t, what + "force " + std::to_string(set), bound);
     });
@@ -245,7 +246,7 @@ void Foam::pairSumChecks(tally& t)
                     {
                         x += 0.499*skin*random.vector(1).normalized();
                     }
-                    rig.pack(*sums);
+                    rig.pack(*sums, 0);
 
                     const std::string what
                     (
