@@ -310,9 +310,15 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     {
         const label first = sums.first - firstRecord;
         const ulph::laneRow zero[3] = {};
-        v_.store(first, sums.count, zero);
-        viscousV_.store(first, sums.count, zero);
-        densityExcess_.store(0, first, sums.count, zero[0]);
+        if (sums.taken & ulph::velocityAverages)
+        {
+            v_.store(first, sums.count, zero);
+            viscousV_.store(first, sums.count, zero);
+        }
+        if (sums.taken & ulph::scalarAverages)
+        {
+            densityExcess_.store(0, first, sums.count, zero[0]);
+        }
         return;
     }
 
@@ -321,8 +327,14 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
     {
         perWeight[l] = sums.w[l] > VSMALL ? 1/sums.w[l] : 0;
     });
-    takeVelocity(sums, perWeight);
-    takePressure(sums, perWeight);
+    if (sums.taken & ulph::velocityAverages)
+    {
+        takeVelocity(sums, perWeight);
+    }
+    if (sums.taken & ulph::scalarAverages)
+    {
+        takePressure(sums, perWeight);
+    }
 }
 
 
@@ -342,7 +354,7 @@ void Foam::wallLayer::fill
 {
     x_.load(first, count, tile.x);
     volume_.load(0, first, count, tile.V);
-    densityExcess_.load(0, first, count, tile.s);
+    loadDensityExcess(first, count, tile.s);
     loadVelocity(first, count, tile.v);
 }
 

@@ -82,47 +82,58 @@ Foam::wallLoad::wallLoad
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
+std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate
+(
+    const labelHashSet& patches
+) const
 {
     const label n = wall_.size();
-    if (n == 0)
+    const label firstRecord = wall_.firstRecord;
+    const ulph::clusterList& list = neighbours_.wallList();
+
+    std::vector<load> loads;
+    std::vector<label> place(n, -1);
+    std::vector<unsigned char> asked(list.size(), 0);
+    for (int i = 0; n && i < list.size(); ++i)
     {
-        return {};
+        const label first = list[i].first - firstRecord;
+        for (label j = first; j < first + list[i].count; ++j)
+        {
+            if (patches.found(wall_.patch(j)))
+            {
+                asked[i] = 1;
+                place[j] = label(loads.size());
+                loads.emplace_back();
+                loads.back().where = wall_.nearestOnWall(j);
+            }
+        }
+    }
+    if (loads.empty())
+    {
+        return loads;
     }
 
     const int D = cloud_.D();
-    const label firstRecord = wall_.firstRecord;
     const ulph::pairSums& sums = neighbours_.sums();
-    const ulph::clusterList& list = neighbours_.wallList();
     const scalar K = wall_.inverseMoment();
-    std::vector<load> loads(n);
-
-    eachTarget<ulph::geometryBlock> own
-    (
-        [&](const ulph::geometryBlock& block, const int l, const label record)
-        {
-            const label j = record - firstRecord;
-            const scalar factor = wall_.volume(j)*sums.pressure(record)*K;
-            for (int k = 0; k < D; ++k)
-            {
-                loads[j].pressure[cloud_.axis(k)] -= factor*block.b[k][l];
-            }
-        }
-    );
-    sums.geometry(list, {}, ulph::momentSums, own);
-
     const scalar mu = models_.viscous->mu();
     const bool symmetric = models_.viscous->symmetric();
-    eachTarget<ulph::forceBlock> fluids
+    eachTarget<ulph::forceBlock> reaction
     (
         [&](const ulph::forceBlock& block, const int l, const label record)
         {
-            load& now = loads[record - firstRecord];
-            const scalar V = wall_.volume(record - firstRecord);
+            const label j = record - firstRecord;
+            if (place[j] < 0)
+            {
+                return;
+            }
+            load& now = loads[place[j]];
+            const scalar V = wall_.volume(j);
+            const scalar pK = sums.pressure(record)*K;
             for (int k = 0; k < D; ++k)
             {
                 const direction c = cloud_.axis(k);
-                now.pressure[c] -= V*block.pressure[k][l];
+                now.pressure[c] = -V*(block.pressure[k][l] + pK*block.b[k][l]);
                 if (mu > 0)
                 {
                     now.viscous[c] =
@@ -133,24 +144,20 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate() const
             }
         }
     );
+    ulph::passRange range;
+    range.mask = asked.data();
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
     sums.force
     (
         list,
+        range,
         mu > 0
-      ? unsigned(ulph::viscousSums | ulph::symmetricViscousSums)
-      : unsigned(ulph::pressureSums),
+      ? ulph::divergenceSums | ulph::viscousSums | ulph::symmetricViscousSums
+      : unsigned(ulph::divergenceSums),
         viscous,
-        fluids
+        reaction
     );
-
-    #pragma omp parallel for schedule(static)
-    for (label j = 0; j < n; ++j)
-    {
-        loads[j].patch = wall_.patch(j);
-        loads[j].where = wall_.nearestOnWall(j);
-    }
     return loads;
 }
 

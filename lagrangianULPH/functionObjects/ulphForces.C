@@ -76,16 +76,13 @@ Foam::scalarList Foam::functionObjects::ulphForces::row()
 
     vector pressure(Zero), viscous(Zero);
     vector pressureMoment(Zero), viscousMoment(Zero);
-    for (const wallLoad::load& load : walls.evaluate())
+    for (const wallLoad::load& load : walls.evaluate(patches_))
     {
-        if (patches_.found(load.patch))
-        {
-            const vector arm(load.where - origin_);
-            pressure += load.pressure;
-            viscous += load.viscous;
-            pressureMoment += arm ^ load.pressure;
-            viscousMoment += arm ^ load.viscous;
-        }
+        const vector arm(load.where - origin_);
+        pressure += load.pressure;
+        viscous += load.viscous;
+        pressureMoment += arm ^ load.pressure;
+        viscousMoment += arm ^ load.viscous;
     }
     for
     (

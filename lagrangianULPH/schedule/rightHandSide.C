@@ -53,7 +53,23 @@ void Foam::rightHandSide::packFluid()
 }
 
 
-void Foam::rightHandSide::updateWalls(const bool firstAtPositions)
+void Foam::rightHandSide::updateWalls()
+{
+    if (wall_.size())
+    {
+        ledger::section timer(ledger_, "walls");
+        forTiles(wall_.size(), [&](const label first, const label count)
+        {
+            ulph::geometryTile tile;
+            wall_.fill(first, count, tile);
+            search_.sums().pack(search_.firstWall() + first, count, tile);
+        });
+    }
+    showWalls(ulph::scalarAverages | ulph::velocityAverages);
+}
+
+
+void Foam::rightHandSide::showWalls(const unsigned averages)
 {
     if (!wall_.size())
     {
@@ -61,22 +77,22 @@ void Foam::rightHandSide::updateWalls(const bool firstAtPositions)
     }
     ledger::section timer(ledger_, "walls");
 
-    const auto pack = [&]()
+    search_.sums().interpolate(search_.wallList(), averages, wall_);
+    forTiles(wall_.size(), [&](const label first, const label count)
     {
-        forTiles(wall_.size(), [&](const label first, const label count)
+        if (averages & ulph::scalarAverages)
         {
-            ulph::geometryTile tile;
-            wall_.fill(first, count, tile);
-            search_.sums().pack(search_.firstWall() + first, count, tile);
-        });
-    };
-
-    if (firstAtPositions)
-    {
-        pack();
-    }
-    search_.sums().interpolate(search_.wallList(), wall_);
-    pack();
+            ulph::laneRow rho1;
+            wall_.loadDensityExcess(first, count, rho1);
+            search_.sums().packScalar(search_.firstWall() + first, count, rho1);
+        }
+        if (averages & ulph::velocityAverages)
+        {
+            ulph::laneRow v[3];
+            wall_.loadVelocity(first, count, v);
+            search_.sums().packVelocity(search_.firstWall() + first, count, v);
+        }
+    });
 }
 
 
@@ -95,7 +111,7 @@ void Foam::rightHandSide::packForces(const bool withDivergence)
 
     forTiles(cloud_.total(), [&](const label first, const label count)
     {
-        ulph::forceTile tile = {};
+        ulph::forceTile tile;
         ulph::laneRow rho1;
         cloud_.x().load(first, count, tile.x);
         cloud_.v().load(first, count, tile.v);
@@ -116,6 +132,13 @@ void Foam::rightHandSide::packForces(const bool withDivergence)
                 {
                     tile.gradientOrVelocity[k][l] *= tile.V[l];
                 });
+            }
+        }
+        else
+        {
+            for (ulph::laneRow& unused : tile.gradientOrVelocity)
+            {
+                std::fill_n(unused, count, 0);
             }
         }
         search_.sums().pack(first, count, tile);
@@ -143,7 +166,7 @@ void Foam::rightHandSide::sumForces
     timer.addPairs(search_.fluidList().nPairs());
     ulph::viscousSettings viscous;
     viscous.eta2 = sqr(models_.viscous->eta()*cloud_.h());
-    search_.sums().force(search_.fluidList(), sums, viscous, sink);
+    search_.sums().force(search_.fluidList(), {}, sums, viscous, sink);
 }
 
 
@@ -191,7 +214,7 @@ void Foam::rightHandSide::geometry(const scalar t, const scalar ahead)
         copyImages();
         packFluid();
     }
-    updateWalls(true);
+    updateWalls();
 
     const bool surfaceFirst = models_.moment->needsSurface();
 
@@ -260,7 +283,7 @@ void Foam::rightHandSide::force
                 }
             );
         }
-        updateWalls(false);
+        showWalls(ulph::scalarAverages);
     }
     packForces(false);
     forceSink sink(cloud_, models_, bodyForce(first, last));
@@ -284,7 +307,7 @@ void Foam::rightHandSide::frozenForce
             packFluid();
         }
     }
-    updateWalls(true);
+    updateWalls();
     packForces(true);
     frozenForceSink sink(cloud_, models_, bodyForce(first, last));
     sumForces(schedule_.frozenForceSums(), sink);
@@ -325,7 +348,7 @@ void Foam::rightHandSide::divergence(const scalar t, const scalar later)
             search_.sums().packVelocity(first, count, v);
         });
     }
-    updateWalls(false);
+    showWalls(ulph::velocityAverages);
 
     ledger::section timer(ledger_, "divergencePass");
     ulph::passRange range;

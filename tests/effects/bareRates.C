@@ -156,7 +156,7 @@ void Foam::bareRates::force()
     forceSink sink(*this);
     sums.force
     (
-        rig_.neighbours.fluidList(), forceSums_, {sqr(0.1*cloud.h())}, sink
+        rig_.neighbours.fluidList(), {}, forceSums_, {sqr(0.1*cloud.h())}, sink
     );
 }
 

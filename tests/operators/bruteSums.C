@@ -36,9 +36,9 @@ const std::vector<sumGroup> interpolationGroups
 {
     {"w", 0, 0, {1, 1}},
     {"wx", 0, 1, {2, 3}},
-    {"ws", 0, 4, {1, 1}},
-    {"wsx", 0, 5, {2, 3}},
-    {"wv", 0, 8, {2, 3}}
+    {"ws", ulph::scalarAverages, 4, {1, 1}},
+    {"wsx", ulph::scalarAverages, 5, {2, 3}},
+    {"wv", ulph::velocityAverages, 8, {2, 3}}
 };
 
 

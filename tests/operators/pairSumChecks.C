@@ -190,19 +190,22 @@ static void compare
     {
         comparison<ulph::forceBlock> all(s.D, 0, set, forceGroups, force);
         rig.pack(sums, set);
-        sums.force(rig.fluidList, set, {eta2}, all);
+        sums.force(rig.fluidList, {}, set, {eta2}, all);
         all.judge(t, what + "force " + std::to_string(set), bound);
     });
 
     if (s.size() > s.nFluid)
     {
         const sumRows averages(brute.interpolation());
-        comparison<ulph::interpolationBlock> all
-        (
-            s.D, s.nFluid, 0, interpolationGroups, averages
-        );
-        sums.interpolate(rig.wallList, all);
-        all.judge(t, what + "interpolation", bound);
+        forCompiledSets([&](const unsigned set)
+        {
+            comparison<ulph::interpolationBlock> all
+            (
+                s.D, s.nFluid, set, interpolationGroups, averages
+            );
+            sums.interpolate(rig.wallList, set, all);
+            all.judge(t, what + "interpolation " + std::to_string(set), bound);
+        });
     }
 }
 
