@@ -150,7 +150,7 @@ Foam::sumRows Foam::bruteSums::geometry(const int last) const
 }
 
 
-Foam::sumRows Foam::bruteSums::force(const double eta2) const
+Foam::sumRows Foam::bruteSums::force(const int last, const double eta2) const
 {
     const particleSample& s = sample_;
     const int D = s.D;
@@ -159,7 +159,7 @@ Foam::sumRows Foam::bruteSums::force(const double eta2) const
     for (int i = 0; i < s.nFluid; ++i)
     {
         std::vector<double>& row = rows[i];
-        forPairs(i, 0, s.size(), [&](int j, const vec& x, double r, double w)
+        forPairs(i, 0, last, [&](int j, const vec& x, double r, double w)
         {
             const double wV = w*s.V[j];
             const double pi = (s.v[j] - s.v[i]).dot(x)/(r*r + eta2);

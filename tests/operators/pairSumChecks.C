@@ -151,6 +151,7 @@ static void compare
 {
     const particleSample& s = rig.sample;
     const bruteSums brute(s, kernel, h);
+    const double eta2 = sqr(0.1*h);
     const sumRows geometry(brute.geometry(s.size()));
     const sumRows overFluid(brute.geometry(s.nFluid));
 
@@ -182,10 +183,22 @@ static void compare
         sums.geometry(rig.fluidList, {mask.data(), true}, 1 | 2, some);
         some.judge(t, what + "geometry of half the clusters", bound);
         t.check(what + "those clusters only", some.taken == expected);
+
+        const sumRows fluidForce(brute.force(s.nFluid, eta2));
+        comparison<ulph::forceBlock> someForces
+        (
+            s.D, 0, ulph::divergenceSums, forceGroups, fluidForce
+        );
+        rig.pack(sums, ulph::divergenceSums);
+        sums.force
+        (
+            rig.fluidList, {mask.data(), true}, ulph::divergenceSums, {eta2}, someForces
+        );
+        someForces.judge(t, what + "force of half the clusters", bound);
+        t.check(what + "those only, too", someForces.taken == expected);
     }
 
-    const double eta2 = sqr(0.1*h);
-    const sumRows force(brute.force(eta2));
+    const sumRows force(brute.force(s.size(), eta2));
     forCompiledSets([&](const unsigned set)
     {
         comparison<ulph::forceBlock> all(s.D, 0, set, forceGroups, force);
