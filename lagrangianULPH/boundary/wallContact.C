@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallContact.H"
+#include "clusterShares.H"
 
 #include <algorithm>
 
@@ -135,8 +136,10 @@ void Foam::wallContact::update
     std::vector<std::vector<plane>> found(which.size());
     anew_.assign(cloud_.size(), 0);
 
-    #pragma omp parallel for schedule(dynamic, 16)
-    for (std::size_t i = 0; i < which.size(); ++i)
+    ulph::clusterShares shares(int(which.size()));
+
+    #pragma omp parallel
+    for (const int i : shares)
     {
         const ulph::clusterList::cluster& c = list[which[i]];
         std::fill_n(anew_.begin() + c.first, c.count, 1);

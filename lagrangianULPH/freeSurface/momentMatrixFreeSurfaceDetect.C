@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentMatrixFreeSurface.H"
+#include "clusterShares.H"
 #include "momentTensor.H"
 #include "neighbourSearch.H"
 
@@ -180,8 +181,10 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markSurface
 
     onSurface_.resize(lambda_->size());
 
-    #pragma omp parallel for schedule(dynamic, 16)
-    for (int i = 0; i < list.size(); ++i)
+    ulph::clusterShares shares(list.size());
+
+    #pragma omp parallel
+    for (const int i : shares)
     {
         const ulph::clusterList::cluster& c = list[i];
         ulph::laneRow hidden;

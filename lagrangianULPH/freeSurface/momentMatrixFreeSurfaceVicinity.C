@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentMatrixFreeSurface.H"
+#include "clusterShares.H"
 #include "neighbourSearch.H"
 
 #include <algorithm>
@@ -99,8 +100,10 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::markVicinity
     class_->reset(lambda_->size());
     nearSurface_.assign(lambda_->size(), 0);
 
-    #pragma omp parallel for schedule(dynamic, 16)
-    for (int i = 0; i < list.size(); ++i)
+    ulph::clusterShares shares(list.size());
+
+    #pragma omp parallel
+    for (const int i : shares)
     {
         if (any(onSurface_, i))
         {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace ulph
 {
@@ -123,27 +125,17 @@ void motionBound::collect
     // Particles are in order along a curve: a cell comes in few runs
     #pragma omp parallel
     {
-        int cell = 0;
-        range run = empty;
-        const auto flush = [&]()
-        {
-            if (run.upper[0] >= run.lower[0])
-            {
-                #pragma omp critical
-                include(cell, run);
-            }
-        };
+        std::vector<std::pair<int, range>> runs;
 
-        #pragma omp for schedule(static)
+        #pragma omp for schedule(static) nowait
         for (int i = 0; i < moving.n; ++i)
         {
             const int now = cells_.cellOf(moving, i);
-            if (now != cell)
+            if (runs.empty() || runs.back().first != now)
             {
-                flush();
-                cell = now;
-                run = empty;
+                runs.push_back({now, empty});
             }
+            range& run = runs.back().second;
             for (int k = 0; k < moving.D; ++k)
             {
                 const float d = way(moving.x[k][i], start_[k][i]);
@@ -151,7 +143,12 @@ void motionBound::collect
                 run.upper[k] = std::max(run.upper[k], d);
             }
         }
-        flush();
+
+        #pragma omp critical
+        for (const auto& [cell, run] : runs)
+        {
+            include(cell, run);
+        }
     }
 }
 

@@ -8,6 +8,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "clusterShares.H"
 #include "pairRig.H"
 
 #include <algorithm>
@@ -190,6 +191,35 @@ public:
 };
 
 
+// Every cluster must come to one thread, once, also where threads outnumber clusters
+static int sharingFaults()
+{
+    int faults = 0;
+    const int all = omp_get_max_threads();
+    for (const int nThreads : {1, 2, 5})
+    {
+        omp_set_num_threads(nThreads);
+        for (const int n : {0, 1, 15, 16, 17, 80, 1000})
+        {
+            std::vector<std::atomic<int>> visits(n + 64);
+            ulph::clusterShares shares(n);
+
+            #pragma omp parallel
+            for (const int i : shares)
+            {
+                ++visits[i];
+            }
+            for (int i = 0; i < int(visits.size()); ++i)
+            {
+                faults += visits[i] != (i < n);
+            }
+        }
+    }
+    omp_set_num_threads(all);
+    return faults;
+}
+
+
 // Among so many particles the next source may be farther off than one step reaches,
 // and what lies between must not count: packed positions wrap around
 static void longWays(tally& t)
@@ -288,7 +318,7 @@ static void longWays(tally& t)
 
     int faults = 0;
     int nLong = 0;
-    for (int c = 0; c < list.size(); c += 997)
+    for (int c = 0; c < list.size(); c += list.size()/71)
     {
         const ulph::clusterList::cluster& now = list[c];
         std::vector<int> listed(view.n, 0);
@@ -322,6 +352,7 @@ static void longWays(tally& t)
 
 void Foam::listChecks(tally& t)
 {
+    t.check("clusters shared out to threads: faults", sharingFaults(), 0.0);
     longWays(t);
     for (const int D : {2, 3})
     {
