@@ -88,10 +88,10 @@ def bareArcs(x, bounds, radius, points=90):
 
 def surface(case, T):
     """Flags and normals [degrees] against the exposure test: for each figure its
-    mean over five writes about T, and its bound. After the wave has broken a single
-    write is a matter of chance."""
-    middle = case.times.index(case.nearest(T / PER_SECOND))
-    writes = [surfaceAt(case, t) for t in case.times[middle - 2 : middle + 3]]
+    mean over the writes within 0.04 s of T (five of the tutorial's), and its bound.
+    After the wave has broken a single write is a matter of chance."""
+    middle = case.nearest(T / PER_SECOND)
+    writes = [surfaceAt(case, t) for t in case.times if abs(t - middle) < 0.041]
     at = f"T{T}."
     return {
         at + name: (np.mean([w[name] for w in writes]), bound)
