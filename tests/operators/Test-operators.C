@@ -32,6 +32,7 @@ int main(int argc, char* argv[])
         {"tensor", tensorChecks},
         {"kernel", kernelChecks},
         {"list", listChecks},
+        {"longList", longListChecks},
         {"pairSum", pairSumChecks},
         {"model", modelChecks},
         {"contact", contactChecks},
