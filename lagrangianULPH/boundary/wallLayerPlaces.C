@@ -307,21 +307,14 @@ void Foam::wallLayer::update(const ulph::cellLayout& cells, const scalar reach)
 }
 
 
-void Foam::wallLayer::permute(const std::vector<int>& order)
+void Foam::wallLayer::permute(const ulph::particleOrder& order)
 {
     x_.permute(order);
     volume_.permute(order);
     reflection_.permute(order);
     depth_.permute(order);
-    for (std::vector<int>* const values : {&chosen_, &body_})
-    {
-        before_ = *values;
-        #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < order.size(); ++i)
-        {
-            (*values)[i] = before_[order[i]];
-        }
-    }
+    ulph::permute(chosen_.data(), order);
+    ulph::permute(body_.data(), order);
 }
 
 

@@ -291,19 +291,13 @@ void Foam::ulphCloud::sizeDerived()
 }
 
 
-void Foam::ulphCloud::permute(const std::vector<int>& order)
+void Foam::ulphCloud::permute(const ulph::particleOrder& order)
 {
     for (const word& name : state_.toc())
     {
         state_[name]->permute(order);
     }
-
-    std::vector<label> sorted(size_);
-    for (label i = 0; i < size_; ++i)
-    {
-        sorted[i] = origId_[order[i]];
-    }
-    origId_.swap(sorted);
+    ulph::permute(origId_.data(), order);
 }
 
 

@@ -117,7 +117,7 @@ public:
 // average
 void makeRoom
 (
-    std::vector<clusterList::sources::step>& steps,
+    unsetVector<clusterList::sources::step>& steps,
     const int nDone,
     const int nClusters
 )
@@ -190,7 +190,7 @@ void clusterList::list
     for (int t = 0; t < nParts; ++t)
     {
         // Taken out: the heads of the parts lie side by side in one cache line
-        std::vector<sources::step> part(std::move(parts_[firstPart + t]));
+        unsetVector<sources::step> part(std::move(parts_[firstPart + t]));
         part.clear();
         indexList listed;
         const int start = int(n*t/nParts);

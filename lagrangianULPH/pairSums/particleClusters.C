@@ -4,7 +4,8 @@
 #include "particleClusters.H"
 
 #include <algorithm>
-#include <numeric>
+#include <omp.h>
+#include <utility>
 
 namespace ulph
 {
@@ -99,39 +100,62 @@ particleClusters::particleClusters(std::shared_ptr<const cellCurve> curve)
     number_(curve_->place.size(), none)
 {}
 
-std::vector<int> particleClusters::sort
+particleOrder particleClusters::sort
 (
     const particleView& particles,
     const int clusterWidth
 )
 {
     const int n = particles.n;
-    std::vector<int> placeOf(n);
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        placeOf[i] = curve_->place[curve_->cells.cellOf(particles, i)];
-    }
+    unsetVector<int> placeOf(n);
+    particleOrder order(n);
 
-    // Of each cell along the curve the first particle, then the first after it
-    std::vector<int> next(number_.size() + 1, 0);
-    for (const int place : placeOf)
+    // Of each cell along the curve the first particle
+    std::vector<int> start(number_.size() + 1, n);
+
+    // Of each thread and cell how many particles, then where the next one goes
+    std::vector<std::vector<int>> next
+    (
+        omp_get_max_threads(), std::vector<int>(number_.size(), 0)
+    );
+
+    #pragma omp parallel
     {
-        ++next[place + 1];
-    }
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<int> order(n);
-    for (int i = 0; i < n; ++i)
-    {
-        order[next[placeOf[i]]++] = i;
+        std::vector<int>& own = next[omp_get_thread_num()];
+
+        #pragma omp for schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            placeOf[i] = curve_->place[curve_->cells.cellOf(particles, i)];
+            ++own[placeOf[i]];
+        }
+
+        #pragma omp single
+        {
+            int sum = 0;
+            for (std::size_t place = 0; place < number_.size(); ++place)
+            {
+                start[place] = sum;
+                for (std::vector<int>& ofThread : next)
+                {
+                    sum += std::exchange(ofThread[place], sum);
+                }
+            }
+        }
+
+        #pragma omp for schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            order[own[placeOf[i]]++] = i;
+        }
     }
 
     cells_.clear();
     first_.clear();
     for (std::size_t place = 0; place < number_.size(); ++place)
     {
-        const int begin = place ? next[place - 1] : 0;
-        const int count = next[place] - begin;
+        const int begin = start[place];
+        const int count = start[place + 1] - begin;
         number_[curve_->along[place]] = count ? int(cells_.size()) : none;
         if (count)
         {
@@ -167,7 +191,7 @@ void particleClusters::halveCell
     const particleView& particles,
     const cell& now,
     const int clusterWidth,
-    std::vector<int>& order
+    particleOrder& order
 ) const
 {
     int* const own = order.data() + now.first;

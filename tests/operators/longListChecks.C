@@ -85,7 +85,7 @@ void Foam::longListChecks(tally& t)
     std::iota(number.begin(), number.end(), 0);
     const auto sort = [&](const int width)
     {
-        const std::vector<int> order(clusters.sort(view, width));
+        const ulph::particleOrder order(clusters.sort(view, width));
         const auto permute = [&](auto& values)
         {
             const auto old(values);
