@@ -85,7 +85,7 @@ void Foam::pairRig::copyOut()
 void Foam::pairRig::sort(const int width)
 {
     copyOut();
-    std::vector<int> order(fluidClusters_->sort(fluid.particles, width));
+    ulph::particleOrder order(fluidClusters_->sort(fluid.particles, width));
     for (const int i : wallClusters_->sort(wall.particles, width))
     {
         order.push_back(sample.nFluid + i);
