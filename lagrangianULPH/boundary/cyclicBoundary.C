@@ -146,6 +146,20 @@ Foam::point Foam::cyclicBoundary::wrapped(point p) const
 }
 
 
+bool Foam::cyclicBoundary::holds(const point& p) const
+{
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+    {
+        const scalar distance = (p & sides_[i].normal) - sides_[i].offset;
+        if (i % 2 ? distance >= 0 : distance > 0)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 bool Foam::cyclicBoundary::repeats(const direction cmpt) const
 {
     for (const side& s : sides_)

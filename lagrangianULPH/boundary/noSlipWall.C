@@ -20,7 +20,12 @@ namespace walls
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::walls::noSlipWall::noSlipWall(const dictionary&, const ulphCloud& cloud)
+Foam::walls::noSlipWall::noSlipWall
+(
+    const dictionary&,
+    const ulphCloud& cloud,
+    const viscosity&
+)
 :
     D_(cloud.D())
 {}

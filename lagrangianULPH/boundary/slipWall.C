@@ -20,7 +20,12 @@ namespace walls
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::walls::slipWall::slipWall(const dictionary&, const ulphCloud& cloud)
+Foam::walls::slipWall::slipWall
+(
+    const dictionary&,
+    const ulphCloud& cloud,
+    const viscosity&
+)
 :
     D_(cloud.D())
 {}

@@ -20,10 +20,11 @@ namespace Foam
 Foam::autoPtr<Foam::wall> Foam::wall::New
 (
     const dictionary& dict,
-    const ulphCloud& cloud
+    const ulphCloud& cloud,
+    const viscosity& viscous
 )
 {
-    return selectModel<wall>(dict, typeName, cloud);
+    return selectModel<wall>(dict, typeName, cloud, viscous);
 }
 
 

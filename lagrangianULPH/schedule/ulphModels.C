@@ -123,7 +123,7 @@ Foam::ulphModels::ulphModels
     shift(shifting::New(dict, cloud)),
     viscous(viscosity::New(dict, cloud)),
     force(bodyForce::New(dict, cloud)),
-    boundary(wall::New(dict, cloud)),
+    boundary(wall::New(dict, cloud, *viscous)),
     integration(timeIntegration::New(dict, cloud))
 {
     if (moment->needsSurface() && surface->off())
