@@ -11,7 +11,7 @@ namespace Foam
 {
 
 template<class T>
-static void reorder(std::vector<T>& values, const std::vector<int>& order)
+static void reorder(std::vector<T>& values, const ulph::particleOrder& order)
 {
     std::vector<T> sorted;
     for (const int i : order)
@@ -80,7 +80,7 @@ void Foam::particleSample::add(const vec& position, randomVectors& random)
 }
 
 
-void Foam::particleSample::permute(const std::vector<int>& order)
+void Foam::particleSample::permute(const ulph::particleOrder& order)
 {
     reorder(x, order);
     reorder(v, order);

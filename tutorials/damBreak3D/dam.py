@@ -32,13 +32,13 @@ def plateau(t, p):
     return p[(t >= 3) & (t <= 5)].mean()
 
 
-def delay():
-    """How much later than in potential flow the experiment's front arrives.
+def delay(times=FRONT[:, 0], front=FRONT[:, 1]):
+    """How much later than in potential flow a front arrives, that of the experiment.
 
     The gate takes time to open: mean over the places from 1 to 2.5 H downstream.
     """
     places = np.linspace(1, 2.5, 30)
-    late = np.interp(places, FRONT[:, 1], FRONT[:, 0])
+    late = np.interp(places, front, times)
     return (late - np.interp(places, POTENTIAL[:, 1] - 2, POTENTIAL[:, 0])).mean()
 
 
@@ -58,11 +58,12 @@ def noise(t, p, first=3, last=6, window=0.1):
 
 
 class Run:
-    """A folder dx<spacing>, or H600-dx<spacing>."""
+    """A folder dx<spacing>, logLaw-dx<spacing>, or H600-dx<spacing>."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
         self.high = self.folder.name.startswith("H600")
+        self.friction = self.folder.name.startswith("logLaw")
         self.H = 0.6 if self.high else 0.3  # [m]
         self.perSecond = np.sqrt(9.81 / self.H)
         self.unit = 1000 * 9.81 * self.H  # [Pa]
@@ -94,6 +95,11 @@ class Run:
         exact = np.interp(t, POTENTIAL[:, 0], POTENTIAL[:, 1])
         return np.abs((self.front[before] - exact) / (exact - 2)).max()
 
+    def delay(self):
+        """Likewise of this run; only friction at the walls has a reason for one."""
+        before = self.front < TANK / self.H - 0.1
+        return delay(self.frontTimes[before], self.front[before] - 2)
+
     def row(self):
         volume = table(self.folder, "moments")["volume"]
         row = {
@@ -101,6 +107,7 @@ class Run:
             "dx": self.dx,
             "end": float(self.times[-1]),
             "frontError": float(self.frontError()),
+            "delay": float(self.delay()) if self.friction else 0.0,
             "impact": float(impact(self.times, self.pressures[0])),
             "noise1": float(noise(self.times, self.pressures[0])),
             "volumeDrift": float(np.abs(volume / volume[0] - 1).max()),
@@ -114,6 +121,6 @@ class Run:
 
 
 def runs(room):
-    """The runs with H = 0.3 m, coarse to fine, and those with 0.6 m."""
-    high = [Run(folder) for folder in pathlib.Path(room).glob("H600-*")]
-    return bySpacing(room, Run), high
+    """The runs with H = 0.3 m, coarse to fine, and others: friction, and H = 0.6 m."""
+    others = sorted(pathlib.Path(room).glob("*-dx*"), reverse=True)
+    return bySpacing(room, Run), [Run(folder) for folder in others]

@@ -62,11 +62,12 @@ def views(run, file):
 
 def main(room):
     figures = figuresFolder(room)
-    found, high = runs(room)
-    curves(found, figures / "curves.png")
+    found, others = runs(room)
+    curves(found + [run for run in others if run.friction], figures / "curves.png")
     views(found[-1], figures / "views.png")
-    for run in high:
-        views(run, figures / "views-H600.png")
+    for run in others:
+        if run.high:
+            views(run, figures / "views-H600.png")
     print(f"Pictures are in {figures}")
 
 
