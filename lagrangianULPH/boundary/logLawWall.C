@@ -49,6 +49,25 @@ static scalar differencePerStress
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::walls::logLawWall::uTau2(const scalar U) const
+{
+    const scalar laminar = nu_*U/y_;
+
+    // The logarithm changes little: each round leaves a tenth of the error
+    scalar uTau = 0.05*U;
+    for (int round = 0; round < 4; ++round)
+    {
+        const scalar yPlus = y_*uTau/nu_;
+        if (E_*yPlus <= constant::mathematical::e)
+        {
+            return laminar;
+        }
+        uTau = kappa_*U/std::log(E_*yPlus);
+    }
+    return max(sqr(uTau), laminar);
+}
+
+
 Foam::scalar Foam::walls::logLawWall::difference(const scalar U) const
 {
     return min(perStress_*uTau2(U), 2*U);
@@ -76,25 +95,6 @@ Foam::walls::logLawWall::logLawWall
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::walls::logLawWall::uTau2(const scalar U) const
-{
-    const scalar laminar = nu_*U/y_;
-
-    // The logarithm changes little: each round leaves a tenth of the error
-    scalar uTau = 0.05*U;
-    for (int round = 0; round < 4; ++round)
-    {
-        const scalar yPlus = y_*uTau/nu_;
-        if (E_*yPlus <= constant::mathematical::e)
-        {
-            return laminar;
-        }
-        uTau = kappa_*U/std::log(E_*yPlus);
-    }
-    return max(sqr(uTau), laminar);
-}
-
 
 void Foam::walls::logLawWall::viscousVelocity
 (
