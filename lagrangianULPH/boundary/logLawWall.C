@@ -55,7 +55,7 @@ Foam::scalar Foam::walls::logLawWall::uTau2(const scalar U) const
 
     // The logarithm changes little: each round leaves a tenth of the error
     scalar uTau = 0.05*U;
-    for (int round = 0; round < 4; ++round)
+    for (int round = 0; round < 3; ++round)
     {
         const scalar yPlus = y_*uTau/nu_;
         if (E_*yPlus <= constant::mathematical::e)

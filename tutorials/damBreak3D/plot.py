@@ -63,7 +63,8 @@ def views(run, file):
 def main(room):
     figures = figuresFolder(room)
     found, others = runs(room)
-    curves(found + [run for run in others if run.friction], figures / "curves.png")
+    friction = [run for run in others if run.friction]
+    curves(found[-2:] + friction[-2:], figures / "curves.png")
     views(found[-1], figures / "views.png")
     for run in others:
         if run.high:
