@@ -86,18 +86,10 @@ void Foam::longListChecks(tally& t)
     const auto sort = [&](const int width)
     {
         const ulph::particleOrder order(clusters.sort(view, width));
-        const auto permute = [&](auto& values)
-        {
-            const auto old(values);
-            for (std::size_t i = 0; i < old.size(); ++i)
-            {
-                values[i] = old[order[i]];
-            }
-        };
-        permute(number);
+        ulph::permute(number.data(), order);
         for (int k = 0; k < 3; ++k)
         {
-            permute(x[k]);
+            ulph::permute(x[k].data(), order);
         }
         clusters.fit(view);
     };

@@ -5,25 +5,6 @@
 
 #include "particleSample.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-template<class T>
-static void reorder(std::vector<T>& values, const ulph::particleOrder& order)
-{
-    std::vector<T> sorted;
-    for (const int i : order)
-    {
-        sorted.push_back(values[i]);
-    }
-    values.swap(sorted);
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vec Foam::randomVectors::vector(const double size)
@@ -82,13 +63,13 @@ void Foam::particleSample::add(const vec& position, randomVectors& random)
 
 void Foam::particleSample::permute(const ulph::particleOrder& order)
 {
-    reorder(x, order);
-    reorder(v, order);
-    reorder(g, order);
-    reorder(V, order);
-    reorder(s, order);
-    reorder(p, order);
-    reorder(K, order);
+    ulph::permute(x.data(), order);
+    ulph::permute(v.data(), order);
+    ulph::permute(g.data(), order);
+    ulph::permute(V.data(), order);
+    ulph::permute(s.data(), order);
+    ulph::permute(p.data(), order);
+    ulph::permute(K.data(), order);
 }
 
 
