@@ -6,6 +6,7 @@
 #include "gravityForce.H"
 #include "addToRunTimeSelectionTable.H"
 #include "gravityMeshObject.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "gravityForce.H"
 #include "ulphCloud.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -6,6 +6,7 @@
 #include "wallLayer.H"
 
 #include "symmetric.H"
+#include "fvMesh.H"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallLoad.H"
+#include "fvMesh.H"
 
 #include <functional>
 

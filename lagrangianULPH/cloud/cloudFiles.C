@@ -8,6 +8,7 @@
 #include "ulphCloud.H"
 #include "OFstream.H"
 #include "Time.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

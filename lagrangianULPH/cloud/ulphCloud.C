@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ulphCloud.H"
+#include "fvMesh.H"
 
 #include <numeric>
 

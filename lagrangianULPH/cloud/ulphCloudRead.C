@@ -10,6 +10,7 @@
 #include "inputChecks.H"
 #include "StringStream.H"
 #include "Time.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

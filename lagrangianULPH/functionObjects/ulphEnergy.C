@@ -6,6 +6,7 @@
 #include "ulphEnergy.H"
 #include "energyBudget.H"
 #include "addToRunTimeSelectionTable.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

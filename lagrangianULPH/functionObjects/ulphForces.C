@@ -8,6 +8,7 @@
 #include "inputChecks.H"
 #include "wallLoad.H"
 #include "wallPolyPatch.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

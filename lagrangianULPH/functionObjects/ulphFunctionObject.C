@@ -5,6 +5,7 @@
 
 #include "ulphFunctionObject.H"
 #include "inputChecks.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

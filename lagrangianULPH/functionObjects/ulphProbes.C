@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "cylindricalCS.H"
 #include "inputChecks.H"
+#include "fvMesh.H"
 
 #include <Eigen/Eigenvalues>
 

@@ -10,6 +10,7 @@
 #include "pointGrid.H"
 #include "Random.H"
 #include "regionSelection.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

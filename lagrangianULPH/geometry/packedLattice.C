@@ -7,6 +7,7 @@
 #include "inputChecks.H"
 #include "pointGrid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

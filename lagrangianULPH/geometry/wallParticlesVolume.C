@@ -20,7 +20,7 @@ namespace
 using namespace Foam;
 
 //- Farthest a place may be from the particle it belongs to, over dx
-constexpr scalar reach = 1.2;
+constexpr scalar volumeReach = 1.2;
 
 //- Particles nearer than this to a filled hole are not in undisturbed rows
 constexpr scalar disturbed = 1.5;
@@ -46,7 +46,7 @@ void Foam::wallParticles::shareVolumes
     const boundarySurface& surface = search_.boundary();
 
     // Own particles come first, so that their indices are those of volumes
-    pointGrid all(reach*dx_);
+    pointGrid all(volumeReach*dx_);
     pointGrid holes(disturbed*dx_);
 
     const auto add = [&](const tile& from)

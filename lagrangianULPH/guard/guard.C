@@ -8,6 +8,7 @@
 #include "inputChecks.H"
 #include "StringStream.H"
 #include "Time.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

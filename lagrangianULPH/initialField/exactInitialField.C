@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "exactInitialField.H"
+#include "fvMesh.H"
 
 #include <type_traits>
 

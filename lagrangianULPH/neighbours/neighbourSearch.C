@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "neighbourSearch.H"
+#include "fvMesh.H"
 
 #include <numeric>
 

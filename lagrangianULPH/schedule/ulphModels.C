@@ -9,6 +9,7 @@
 #include "IOobject.H"
 #include "IStringStream.H"
 #include "wallPolyPatch.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -8,6 +8,7 @@
 #include "fluidLattice.H"
 #include "inputChecks.H"
 #include "Time.H"
+#include "fvMesh.H"
 
 #include <omp.h>
 

@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "stepTools.H"
 #include "wallPolyPatch.H"
+#include "fvMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
