@@ -33,8 +33,6 @@ int main(int argc, char *argv[])
         "Check the case, write the particles of the start, predict the run"
     );
 
-    ulphSolver::refuseParallel(argc, argv);
-
     #include "setRootCaseLists.H"
 
     // The guard finds what is not finite, says where, and writes the state;

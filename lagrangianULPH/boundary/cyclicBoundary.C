@@ -5,7 +5,7 @@
 
 #include "cyclicBoundary.H"
 #include "cyclicPolyPatch.H"
-#include "processorPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "SubField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -56,6 +56,27 @@ Foam::cyclicBoundary::side Foam::cyclicBoundary::planeOf
 }
 
 
+void Foam::cyclicBoundary::refuseSplit(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<processorCyclicPolyPatch>(patch))
+        {
+            const word& name =
+                refCast<const processorCyclicPolyPatch>(patch).referPatchName();
+            FatalErrorInFunction
+                << "The decomposition has put the two sides of cyclic patch "
+                << name << " of " << mesh.boundaryMesh().objectPath()
+                << " on different processors." << nl
+                << "    Keep them together in system/decomposeParDict: constraints "
+                << "{ cyclics { type preservePatches; patches (" << name
+                << "); } }, then decomposePar -force"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::cyclicBoundary::addPair
 (
     const cyclicPolyPatch& patch,
@@ -96,6 +117,7 @@ void Foam::cyclicBoundary::addPair
 
 Foam::cyclicBoundary::cyclicBoundary(const polyMesh& mesh)
 {
+    refuseSplit(mesh);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<cyclicPolyPatch>(patch))

@@ -5,6 +5,8 @@
 
 #include "wallContact.H"
 #include "clusterShares.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 #include <algorithm>
 
@@ -233,8 +235,10 @@ void Foam::wallContact::limitPosition(const scalar t)
 
 void Foam::wallContact::report(Ostream& os) const
 {
-    os  << "    walls: " << nContacts_ << " contacts, impulse " << impulse_
-        << ", " << nReturned_ << " positions put back on the wall" << nl;
+    os  << "    walls: " << returnReduce(nContacts_, sumOp<label>())
+        << " contacts, impulse " << returnReduce(impulse_, sumOp<scalar>())
+        << ", " << returnReduce(nReturned_, sumOp<label>())
+        << " positions put back on the wall" << nl;
 }
 
 

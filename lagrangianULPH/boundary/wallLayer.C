@@ -7,6 +7,8 @@
 
 #include "symmetric.H"
 #include "fvMesh.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 #include <algorithm>
 
@@ -341,8 +343,8 @@ void Foam::wallLayer::take(const ulph::interpolationBlock& sums)
 
 void Foam::wallLayer::report(Ostream& os) const
 {
-    os  << "    walls: did not hold fluid without pressure " << nSeparated_
-        << " times" << nl;
+    os  << "    walls: did not hold fluid without pressure "
+        << returnReduce(nSeparated_, sumOp<label>()) << " times" << nl;
 }
 
 

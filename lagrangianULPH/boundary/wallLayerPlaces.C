@@ -39,7 +39,8 @@ void Foam::wallLayer::markOccupied
     const scalar reach
 )
 {
-    const ulph::particleView fluid(cloud_.view());
+    // Images too: the load on a wall is counted where the wall is
+    const ulph::particleView fluid(cloud_.totalView());
     const std::array<int, 3> n{cells.extent(0), cells.extent(1), cells.extent(2)};
 
     occupied_.assign(cells.nCells(), 0);

@@ -88,8 +88,9 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate
     const labelHashSet& patches
 ) const
 {
-    // Walls go on past cyclic patches, as far as fluid sees them
-    const cyclicBoundary& cyclic = neighbours_.halo().cyclic();
+    // Walls go on past cyclic patches and into what other processors have, as far as
+    // fluid sees them
+    const haloParticles& halo = neighbours_.halo();
 
     const label n = wall_.size();
     const label firstRecord = wall_.firstRecord;
@@ -103,7 +104,7 @@ std::vector<Foam::wallLoad::load> Foam::wallLoad::evaluate
         const label first = list[i].first - firstRecord;
         for (label j = first; j < first + list[i].count; ++j)
         {
-            if (patches.found(wall_.patch(j)) && cyclic.holds(wall_.position(j)))
+            if (patches.found(wall_.patch(j)) && halo.holds(wall_.position(j)))
             {
                 asked[i] = 1;
                 place[j] = label(loads.size());

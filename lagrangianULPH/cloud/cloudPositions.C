@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cloudPositions.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -48,6 +49,26 @@ static void writeEntry
     os  << nl;
 }
 
+template<class Geometry, std::size_t nLabels>
+static void readEntry(Istream& is, Geometry& geometry, label (&labels)[nLabels])
+{
+    if (is.format() == IOstream::ASCII)
+    {
+        is  >> geometry;
+        for (label& l : labels)
+        {
+            is  >> l;
+        }
+    }
+    else
+    {
+        char buffer[entryBytes<Geometry, nLabels>];
+        is.read(buffer, sizeof(buffer));
+        std::memcpy(geometry.begin(), buffer, sizeof(Geometry));
+        std::memcpy(labels, buffer + sizeof(Geometry), sizeof(labels));
+    }
+}
+
 } // End namespace Foam
 
 
@@ -75,7 +96,7 @@ Foam::cloudPositions::cloudPositions
         )
     ),
     geometry_(geometry),
-    locator_(&locator),
+    locator_(locator),
     positions_(positions),
     cells_(cells)
 {}
@@ -85,6 +106,8 @@ Foam::cloudPositions::cloudPositions
 (
     const cloud& registry,
     const word& instance,
+    const cloud::geometryType geometry,
+    const cellLocator& locator,
     pointField& positions,
     labelList& cells
 )
@@ -93,7 +116,7 @@ Foam::cloudPositions::cloudPositions
     (
         IOobject
         (
-            cloud::geometryTypeNames[cloud::geometryType::POSITIONS],
+            cloud::geometryTypeNames[geometry],
             instance,
             registry,
             IOobject::MUST_READ,
@@ -101,14 +124,39 @@ Foam::cloudPositions::cloudPositions
             false
         )
     ),
-    geometry_(cloud::geometryType::POSITIONS),
-    locator_(nullptr),
+    geometry_(geometry),
+    locator_(locator),
     positions_(positions),
     cells_(cells)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::cloudPositions::found
+(
+    const Time& time,
+    const word& instance,
+    const cloud::geometryType geometry
+)
+{
+    const fileName path
+    (
+        time.path()/instance/cloud::prefix/ulphCloud::cloudName
+       /cloud::geometryTypeNames[geometry]
+    );
+    return isFile(path) || isFile(path + ".gz");
+}
+
+
+bool Foam::cloudPositions::found(const Time& time, const word& instance)
+{
+    return
+        found(time, instance, cloud::geometryType::POSITIONS)
+     || found(time, instance, cloud::geometryType::COORDINATES);
+}
+
+
 
 void Foam::cloudPositions::readAll()
 {
@@ -128,23 +176,32 @@ void Foam::cloudPositions::readAll()
     is.readBeginList("positions");
     for (label i = 0; i < n; ++i)
     {
-        if (is.format() == IOstream::ASCII)
-        {
-            is  >> positions_[i] >> cells_[i];
-        }
-        else
-        {
-            char buffer[entryBytes<point, 1>];
-            is.read(buffer, sizeof(buffer));
-            std::memcpy(positions_[i].begin(), buffer, sizeof(point));
-            std::memcpy(&cells_[i], buffer + sizeof(point), sizeof(label));
-        }
+        barycentric coordinates;
+        label cell[1] = {};
+        label place[3] = {};
+        geometry_ == cloud::geometryType::POSITIONS
+      ? readEntry(is, positions_[i], cell)
+      : readEntry(is, coordinates, place);
+
         if (!is.good())
         {
             FatalIOErrorInFunction(is)
                 << "The file ends within particle " << i << " of " << n << nl
                 << "    Restart from another time directory."
                 << exit(FatalIOError);
+        }
+        cells_[i] = cell[0];
+        if (geometry_ == cloud::geometryType::COORDINATES)
+        {
+            cells_[i] = place[0];
+            if (cells_[i] < 0 || cells_[i] >= locator_.mesh().nCells())
+            {
+                FatalIOErrorInFunction(is)
+                    << "Particle " << i << " is in cell " << cells_[i]
+                    << ", which the mesh has not" << exit(FatalIOError);
+            }
+            positions_[i] =
+                locator_.position(cells_[i], {place[1], place[2], coordinates});
         }
     }
     is.readEndList("positions");
@@ -165,7 +222,7 @@ bool Foam::cloudPositions::writeData(Ostream& os) const
         {
             const cellLocator::tetPlace place
             (
-                locator_->place(positions_[i], cells_[i])
+                locator_.place(positions_[i], cells_[i])
             );
             writeEntry
             (

@@ -331,31 +331,4 @@ void Foam::ulphCloud::setHalo(const label n)
 }
 
 
-void Foam::ulphCloud::remove(const labelHashSet& removed)
-{
-    setHalo(0);
-
-    std::vector<int> kept;
-    std::vector<label> keptId;
-    for (label i = 0; i < size_; ++i)
-    {
-        if (!removed.found(i))
-        {
-            kept.push_back(i);
-            keptId.push_back(origId_[i]);
-        }
-    }
-    for (const word& name : state_.toc())
-    {
-        state_[name]->keep(kept);
-    }
-    for (const word& name : derived_.toc())
-    {
-        derived_[name]->keep(kept);
-    }
-    origId_.swap(keptId);
-    size_ = label(kept.size());
-}
-
-
 // ************************************************************************* //

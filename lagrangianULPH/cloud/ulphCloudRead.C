@@ -8,6 +8,7 @@
 #include "cloudFiles.H"
 #include "cloudPositions.H"
 #include "inputChecks.H"
+#include "joinProcessors.H"
 #include "StringStream.H"
 #include "Time.H"
 #include "fvMesh.H"
@@ -71,40 +72,89 @@ void Foam::ulphCloud::checkProperties
 }
 
 
+Foam::pointField Foam::ulphCloud::readPositions
+(
+    const word& instance,
+    const cellLocator& locator
+) const
+{
+    pointField positions;
+    labelList cells;
+    for
+    (
+        const auto geometry :
+        {cloud::geometryType::COORDINATES, cloud::geometryType::POSITIONS}
+    )
+    {
+        if (!cloudPositions::found(time(), instance, geometry))
+        {
+            continue;
+        }
+        pointField found;
+        labelList at;
+        cloudPositions file(*this, instance, geometry, locator, found, at);
+        readWhole(file.objectPath(), [&]() { file.readAll(); });
+
+        // reconstructPar writes coordinates alone, in an order of its own
+        if (cells.size() && cells != at)
+        {
+            stopAtDamage
+            (
+                file.objectPath(), -1,
+                "positions and coordinates do not have the same particles in the "
+                "same order.\n    Remove positions if reconstructPar has written "
+                "the others"
+            );
+        }
+        // Those of positions are exact
+        positions = found;
+        cells = at;
+    }
+    return positions;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::ulphCloud::found(const fvMesh& mesh, const word& instance)
 {
-    return isFile
+    return returnReduce
     (
-        mesh.time().path()/instance/cloud::prefix/cloudName/"positions"
-    )
-     || isFile
-    (
-        mesh.time().path()/instance/cloud::prefix/cloudName/"positions.gz"
+        cloudPositions::found(mesh.time(), instance), orOp<bool>()
     );
 }
 
 
 Foam::dictionary Foam::ulphCloud::readProperties(const word& instance) const
 {
+    // decomposePar leaves out the time where a processor has no particle
     IOobject object(cloudPropertiesObject(mesh_, instance, IOobject::MUST_READ));
-    return
-        object.typeHeaderOk<IOdictionary>(false)
-      ? dictionary(IOdictionary(object))
-      : dictionary();
+    dictionary own;
+    stringList text;
+    if (object.typeHeaderOk<IOdictionary>(false))
+    {
+        own = IOdictionary(object);
+        OStringStream os;
+        os.precision(17);
+        own.write(os, false);
+        text.append(os.str());
+    }
+    const stringList all(joinProcessors(text));
+    return text.empty() && all.size() ? dictionary(IStringStream(all[0])()) : own;
 }
 
 
-void Foam::ulphCloud::read(const word& instance)
+void Foam::ulphCloud::read(const word& instance, const cellLocator& locator)
 {
-    pointField positions;
-    labelList cells;
-    cloudPositions file(*this, instance, positions, cells);
-    readWhole(file.objectPath(), [&]() { file.readAll(); });
-
+    const pointField positions(readPositions(instance, locator));
     const label n = positions.size();
-    checkProperties(instance, n);
+    checkProperties(instance, returnReduce(n, sumOp<label>()));
+    if (Pstream::parRun() && !cloudPositions::found(time(), instance))
+    {
+        set(positions, vectorField(), scalarField(), scalarField());
+        savedKnown_ = returnReduce(true, andOp<bool>());
+        return;
+    }
     const IOField<vector> U(readField<vector>(*this, "U", instance, n));
     const IOField<scalar> rho1
     (
@@ -165,6 +215,7 @@ void Foam::ulphCloud::read(const word& instance)
             state_[name]->set(i, 0, values[i]);
         }
     }
+    savedKnown_ = returnReduce(savedKnown_, andOp<bool>());
     std::copy(ids.begin(), ids.end(), origId_.begin());
 }
 

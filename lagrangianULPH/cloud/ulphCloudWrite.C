@@ -7,6 +7,9 @@
 
 #include "cloudFiles.H"
 #include "cloudPositions.H"
+#include "meshPlaces.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -90,22 +93,12 @@ void Foam::ulphCloud::writeObjects(objectRegistry& obr) const
 void Foam::ulphCloud::write
 (
     const cellLocator& locator,
-    const labelUList& cellOf,
+    const meshPlaces& places,
     const dictionary& extra
 ) const
 {
-    labelList kept(size_);
-    label n = 0;
-    forAll(cellOf, i)
-    {
-        if (cellOf[i] >= 0)
-        {
-            kept[n++] = i;
-        }
-    }
-    kept.resize(n);
-    pointField written(positions(), kept);
-    labelList cells(UIndirectList<label>(cellOf, kept)());
+    pointField written(places.distributed(positions()));
+    labelList cells(places.cells());
 
     for
     (
@@ -129,13 +122,13 @@ void Foam::ulphCloud::write
     };
     const auto writeScalars = [&](const word& name, const scalarField& values)
     {
-        writeChecked(IOField<scalar>(object(name), scalarField(values, kept)));
+        writeChecked(IOField<scalar>(object(name), places.distributed(values)));
     };
     const auto writeVectors = [&](const word& name)
     {
         writeChecked
         (
-            IOField<vector>(object(name), vectorField(vectors(name), kept))
+            IOField<vector>(object(name), places.distributed(vectors(name)))
         );
     };
 
@@ -161,13 +154,13 @@ void Foam::ulphCloud::write
         writeScalars(name, values);
     }
 
-    IOField<label> ids(object("origId"), n);
-    IOField<label> procs(object("origProcId"), n);
-    forAll(ids, i)
-    {
-        ids[i] = origId_[kept[i]];
-        procs[i] = Pstream::myProcNo();
-    }
+    // Numbers are those of all processors
+    const IOField<label> ids
+    (
+        object("origId"),
+        places.distributed(UList<label>(const_cast<label*>(origId_.data()), size_))
+    );
+    const IOField<label> procs(object("origProcId"), labelField(ids.size(), Zero));
     writeChecked(ids);
     writeChecked(procs);
 
@@ -188,7 +181,7 @@ void Foam::ulphCloud::write
     (
         cloudPropertiesObject(mesh_, time().timeName(), IOobject::NO_READ), extra
     );
-    properties.add("nParticles", n);
+    properties.add("nParticles", returnReduce(ids.size(), sumOp<label>()));
     properties.add("dx", dx());
     properties.add("rho0", rho0());
     properties.add("c0", c0());

@@ -7,6 +7,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "momentTensor.H"
 #include "inputChecks.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -161,9 +163,9 @@ void Foam::freeSurfaces::momentMatrixFreeSurface::keepInside
 void Foam::freeSurfaces::momentMatrixFreeSurface::report(Ostream& os) const
 {
     os  << "    freeSurface: pressure of a splash particle set to zero "
-        << nReleased_ << " times" << nl
+        << returnReduce(nReleased_, sumOp<label>()) << " times" << nl
         << "    freeSurface: tension of a particle of a thin film or drop set to zero "
-        << nThin_ << " times" << nl;
+        << returnReduce(nThin_, sumOp<label>()) << " times" << nl;
 }
 
 

@@ -8,65 +8,11 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "boundarySurface.H"
+#include "joinProcessors.H"
 #include "pointGrid.H"
 #include "polyMesh.H"
-#include "PstreamReduceOps.H"
 #include <algorithm>
 #include <numeric>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Joins lists of which every slot is filled on one processor only
-struct fillSlots
-{
-    template<class Type>
-    List<List<Type>> operator()
-    (
-        const List<List<Type>>& a,
-        const List<List<Type>>& b
-    ) const
-    {
-        List<List<Type>> joined(a);
-
-        forAll(b, i)
-        {
-            if (b[i].size()) joined[i] = b[i];
-        }
-
-        return joined;
-    }
-};
-
-
-//- The parts of all processors, one after the other
-template<class Type>
-List<Type> joinAll(const UList<Type>& mine)
-{
-    if (!Pstream::parRun())
-    {
-        return List<Type>(mine);
-    }
-
-    List<List<Type>> parts(Pstream::nProcs());
-    parts[Pstream::myProcNo()] = mine;
-    reduce(parts, fillSlots());
-
-    DynamicList<Type> joined;
-    for (const List<Type>& part : parts)
-    {
-        joined.append(part);
-    }
-
-    return List<Type>(joined);
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -106,8 +52,8 @@ void Foam::boundarySurface::gather
         }
     }
 
-    const List<point> allCorners(joinAll(ownCorners));
-    const labelList allPatch(joinAll(ownPatch));
+    const List<point> allCorners(joinProcessors(ownCorners));
+    const labelList allPatch(joinProcessors(ownPatch));
 
     // Sort by patch and place: the decomposition must not show
     std::vector<label> order(allPatch.size());

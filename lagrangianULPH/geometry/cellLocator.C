@@ -132,4 +132,15 @@ Foam::cellLocator::tetPlace Foam::cellLocator::place
 }
 
 
+Foam::point Foam::cellLocator::position
+(
+    const label celli,
+    const tetPlace& place
+) const
+{
+    return tetIndices(celli, place.tetFace, place.tetPt).tet(mesh_)
+        .barycentricToPoint(place.coordinates);
+}
+
+
 // ************************************************************************* //

@@ -6,6 +6,7 @@
 #include "guard.H"
 
 #include "inputChecks.H"
+#include "joinProcessors.H"
 #include "StringStream.H"
 #include "Time.H"
 #include "fvMesh.H"
@@ -52,13 +53,14 @@ void Foam::guard::stop
             << cloud_.toVector(cloud_.v(), i) << ", rho "
             << cloud_.rho0() + cloud_.densityExcess()(i) << nl;
     }
+    const stringList places(joinProcessors(stringList(i >= 0 ? 1 : 0, where.str())));
     const Time& time = cloud_.mesh().time();
     const word when(time.timeName());
     const bool kept = write_();
 
     FatalErrorInFunction
         << "The run has become unstable: " << what.c_str() << nl
-        << where.str().c_str()
+        << (places.empty() ? "" : places[0].c_str())
         << "    time " << when << "; the "
         << (kept || !inState ? "last good state" : "state that holds it")
         << " is written as time " << time.timeName() << '.' << nl
@@ -128,7 +130,7 @@ Foam::guard::guard
 
 void Foam::guard::checkRates(const bool ok, const wordList& rates) const
 {
-    if (ok)
+    if (returnReduce(ok, andOp<bool>()))
     {
         return;
     }
@@ -136,7 +138,7 @@ void Foam::guard::checkRates(const bool ok, const wordList& rates) const
     {
         const particleField* const rate = cloud_.derived(name);
         const label i = rate ? firstAbove(*rate, ROOTVGREAT) : -1;
-        if (i >= 0)
+        if (returnReduce(i >= 0, orOp<bool>()))
         {
             stop(name + " is not finite", i);
         }
@@ -193,13 +195,13 @@ void Foam::guard::checkState
 
 void Foam::guard::countEscaped(const labelUList& escaped)
 {
-    nEscaped_ += escaped.size();
+    nEscaped_ += returnReduce(escaped.size(), sumOp<label>());
     if (nEscaped_ > maxEscaped_)
     {
         stop
         (
             std::to_string(nEscaped_) + " particles have left the mesh",
-            escaped[0]
+            escaped.empty() ? -1 : escaped[0]
         );
     }
 }

@@ -6,6 +6,8 @@
 #include "eigenvalueFlooredMomentMatrix.H"
 #include "addToRunTimeSelectionTable.H"
 #include "momentTensor.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -85,8 +87,8 @@ void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::invert
 
 void Foam::momentMatrices::eigenvalueFlooredMomentMatrix::report(Ostream& os) const
 {
-    os  << "    momentMatrix: an eigenvalue floored " << nFloored_ << " times"
-        << nl;
+    os  << "    momentMatrix: an eigenvalue floored "
+        << returnReduce(nFloored_, sumOp<label>()) << " times" << nl;
 }
 
 

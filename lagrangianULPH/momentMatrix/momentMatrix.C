@@ -5,6 +5,8 @@
 
 #include "momentMatrix.H"
 #include "momentTensor.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -57,7 +59,7 @@ void Foam::momentMatrix::invertAll
 void Foam::momentMatrix::report(Ostream& os) const
 {
     os  << "    momentMatrix: lattice matrix in place of a singular one "
-        << nSingular_ << " times" << nl;
+        << returnReduce(nSingular_, sumOp<label>()) << " times" << nl;
 }
 
 

@@ -5,6 +5,74 @@
 
 #include "haloParticles.H"
 #include "fvMesh.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::haloParticles::findShown(const scalar width)
+{
+    std::vector<vector> translations(cyclic_.translations());
+    translations.insert(translations.begin(), vector(Zero));
+
+    shown_.clear();
+    labelList sent(UPstream::nProcs(), 0);
+    forAll(sent, rank)
+    {
+        // Fluid of the rank, and what it sees around
+        boundBox sees(decomposition_.box(rank));
+        const boundBox& mesh = cloud_.mesh().bounds();
+        sees.min() = max(sees.min(), mesh.min()) - vector::uniform(width);
+        sees.max() = min(sees.max(), mesh.max()) + vector::uniform(width);
+
+        for (label i = 0; i < cloud_.size(); ++i)
+        {
+            const point p(cloud_.position(i));
+            for (const vector& translation : translations)
+            {
+                const bool itself =
+                    rank == UPstream::myProcNo() && translation == vector(Zero);
+                if (!itself && sees.contains(p + translation))
+                {
+                    shown_.push_back({i, translation});
+                    ++sent[rank];
+                }
+            }
+        }
+    }
+    ways_ = rankExchange(sent);
+}
+
+
+Foam::scalar Foam::haloParticles::place(const image& shown, const int k) const
+{
+    return cloud_.x()(shown.source, k) + shown.translation[cloud_.axis(k)];
+}
+
+
+void Foam::haloParticles::store
+(
+    const std::vector<scalar>& fetched,
+    particleField& field
+) const
+{
+    const label n = label(order_.size());
+    const int nComponents = field.nComponents();
+
+    #pragma omp parallel for schedule(static)
+    for (label i = 0; i < n; ++i)
+    {
+        for (int c = 0; c < nComponents; ++c)
+        {
+            field.set
+            (
+                cloud_.size() + i, c,
+                fetched[std::size_t(order_[i])*nComponents + c]
+            );
+        }
+    }
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -37,7 +105,7 @@ bool Foam::haloParticles::strayed(const scalar farthest) const
     {
         any = any || cyclic_.past(cloud_.position(i)) > farthest;
     }
-    return any;
+    return returnReduce(any, orOp<bool>());
 }
 
 
@@ -59,73 +127,50 @@ bool Foam::haloParticles::wrap()
             any = true;
         }
     }
-    return any;
+    return returnReduce(any, orOp<bool>());
 }
 
 
 void Foam::haloParticles::clear()
 {
-    images_.clear();
+    shown_.clear();
+    order_.clear();
     cloud_.setHalo(0);
 }
 
 
 void Foam::haloParticles::make(const scalar width, const int clusterWidth)
 {
-    if (!cyclic_.any())
+    if (!any())
     {
         return;
     }
     cyclic_.checkPeriods(width);
+    findShown(width);
 
     const int D = cloud_.D();
-    const boundBox& mesh = cloud_.mesh().bounds();
-    const auto isNear = [&](const point& p)
+    const std::vector<scalar> fetched(fetch(D, [&](const image& shown, const label k)
     {
-        bool inside = true;
-        for (int k = 0; k < D; ++k)
-        {
-            const direction d = cloud_.axis(k);
-            inside =
-                inside
-             && p[d] > mesh.min()[d] - width
-             && p[d] < mesh.max()[d] + width;
-        }
-        return inside;
-    };
+        return place(shown, k);
+    }));
+    const int n = int(fetched.size())/D;
 
-    std::vector<image> found;
     std::array<std::vector<double>, 3> x;
-    for (label i = 0; i < cloud_.size(); ++i)
-    {
-        const point p(cloud_.position(i));
-        for (std::size_t t = 0; t < cyclic_.translations().size(); ++t)
-        {
-            const point there(p + cyclic_.translations()[t]);
-            if (isNear(there))
-            {
-                found.push_back({i, label(t)});
-                for (int k = 0; k < D; ++k)
-                {
-                    x[k].push_back(there[cloud_.axis(k)]);
-                }
-            }
-        }
-    }
-
     ulph::particleView view;
     view.D = D;
-    view.n = int(found.size());
+    view.n = n;
     for (int k = 0; k < D; ++k)
     {
+        x[k].resize(n);
+        for (int i = 0; i < n; ++i)
+        {
+            x[k][i] = fetched[std::size_t(i)*D + k];
+        }
         view.x[k] = x[k].data();
     }
-    images_.clear();
-    for (const int i : clusters_.sort(view, clusterWidth))
-    {
-        images_.push_back(found[i]);
-    }
-    cloud_.setHalo(view.n);
+    const ulph::particleOrder order(clusters_.sort(view, clusterWidth));
+    order_.assign(order.begin(), order.end());
+    cloud_.setHalo(n);
     copyPositions();
     copy(cloud_.mass());
 }
@@ -133,41 +178,51 @@ void Foam::haloParticles::make(const scalar width, const int clusterWidth)
 
 void Foam::haloParticles::copyPositions()
 {
-    if (images_.empty())
+    if (!any())
     {
         return;
     }
-    const label n = label(images_.size());
-    for (int k = 0; k < cloud_.D(); ++k)
+    const int D = cloud_.D();
+    const std::vector<scalar> fetched(fetch(D, [&](const image& shown, const label k)
     {
-        double* const x = cloud_.x().component(k);
-        const direction d = cloud_.axis(k);
-
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
-        {
-            const image& from = images_[i];
-            x[cloud_.size() + i] =
-                x[from.source] + cyclic_.translations()[from.translation][d];
-        }
-    }
+        return place(shown, k);
+    }));
+    store(fetched, cloud_.x());
 }
 
 
 void Foam::haloParticles::copy(particleField& field) const
 {
-    if (images_.empty())
+    if (!any())
     {
         return;
     }
-    const label n = label(images_.size());
-    for (int c = 0; c < field.nComponents(); ++c)
-    {
-        #pragma omp parallel for schedule(static)
-        for (label i = 0; i < n; ++i)
+    const std::vector<scalar> fetched
+    (
+        fetch(field.nComponents(), [&](const image& shown, const label c)
         {
-            field.set(cloud_.size() + i, c, field(images_[i].source, c));
-        }
+            return field(shown.source, c);
+        })
+    );
+    store(fetched, field);
+}
+
+
+void Foam::haloParticles::markSources(std::vector<unsigned char>& marks) const
+{
+    if (!any())
+    {
+        return;
+    }
+    std::vector<scalar> asCame(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i)
+    {
+        asCame[order_[i]] = marks[cloud_.size() + i];
+    }
+    const std::vector<scalar> ofShown(ways_.back(asCame, 1));
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+    {
+        marks[shown_[i].source] |= ofShown[i] > 0;
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include "neighbourSearch.H"
 #include "fvMesh.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 #include <numeric>
 
@@ -48,6 +50,15 @@ ulph::clusterList::sourceGroup Foam::neighbourSearch::wallGroup() const
 }
 
 
+Foam::scalar Foam::neighbourSearch::imageWidth() const
+{
+    const scalar sees = reach(imageWay_ > 0 ? widestSkin() : skin_);
+
+    // Wall particles in reach of an image see what is in reach of them
+    return (wall_.any() ? 2 : 1)*sees + 2*imageWay_;
+}
+
+
 void Foam::neighbourSearch::build()
 {
     setSkin(nextSkin());
@@ -56,9 +67,9 @@ void Foam::neighbourSearch::build()
 
     halo_.clear();
     halo_.wrap();
+    halo_.distribute();
     cloud_.permute(fluid_.sort(cloud_.view(), width));
-    // Wall particles in reach of an image see what is in reach of them
-    halo_.make((wall_.any() ? 2 : 1)*reach(skin_), width);
+    halo_.make(imageWidth(), width);
     wall_.update(wallCells_, reach(widestSkin()) + farthest_);
     wall_.permute(wallParticles_.sort(wall_.view(), width));
 
@@ -124,7 +135,7 @@ bool Foam::neighbourSearch::renew()
     // Images are those of the last build
     if
     (
-        halo_.cyclic().any()
+        (halo_.any() && sinceBuild_.farthest(all) > imageWay_)
      || fluidRenewed_.numbers().size() > many*fluid_.size()
     )
     {
@@ -169,6 +180,7 @@ Foam::neighbourSearch::neighbourSearch
     skin_(widest_),
     farthest_(2*cloud.dx()),
     stray_(0.5*cloud.dx()),
+    imageWay_(Pstream::parRun() ? 0.5*cloud.dx() : 0),
     curve_(std::make_shared<ulph::cellCurve>(makeCells(cloud, 8*cloud.dx()))),
     wallCells_(makeCells(cloud, 2*cloud.dx())),
     halo_(cloud, curve_),
@@ -194,6 +206,7 @@ Foam::scalar Foam::neighbourSearch::nextSkin() const
 bool Foam::neighbourSearch::contains() const
 {
     const boundBox& bounds = cloud_.mesh().bounds();
+    bool inside = true;
     for (int k = 0; k < cloud_.D(); ++k)
     {
         const double* const x = cloud_.x().component(k);
@@ -211,10 +224,10 @@ bool Foam::neighbourSearch::contains() const
         const scalar slack = halo_.cyclic().repeats(d) ? stray_ : 0;
         if (lower < bounds.min()[d] - slack || upper > bounds.max()[d] + slack)
         {
-            return false;
+            inside = false;
         }
     }
-    return true;
+    return returnReduce(inside, andOp<bool>());
 }
 
 
@@ -233,12 +246,12 @@ bool Foam::neighbourSearch::update()
     if (valid_)
     {
         halo_.copyPositions();
-        if
-        (
-            !halo_.strayed(stray_)
+        const bool strayed = halo_.strayed(stray_);
+        const bool hold =
+            !strayed
          && sinceBuild_.farthest(cloud_.totalView()) < farthest_
-         && renew()
-        )
+         && renew();
+        if (returnReduce(hold, andOp<bool>()))
         {
             ++nUses_;
             return false;

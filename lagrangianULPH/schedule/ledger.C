@@ -5,6 +5,9 @@
 
 #include "ledger.H"
 
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+
 #include <ctime>
 #include <iomanip>
 
@@ -69,7 +72,11 @@ void Foam::ledger::report(Ostream& os) const
         clock += clock_[name];
     }
 
-    os  << "Ledger" << nl
+    const scalar allSteps = returnReduce(particleSteps_, sumOp<scalar>());
+    const scalar allCpu = returnReduce(cpu, sumOp<scalar>());
+
+    os  << "Ledger" << (Pstream::parRun() ? " of processor 0, totals of all" : "")
+        << nl
         << "    section              CPU s     clock s   per cent  ns/particle-step"
         << "  million pairs/CPU s"
         << nl;
@@ -98,10 +105,10 @@ void Foam::ledger::report(Ostream& os) const
         os  << nl;
     }
     os  << "    steps " << nSteps_
-        << ", particle-steps " << particleSteps_
+        << ", particle-steps " << allSteps
         << ", particle-steps per CPU second "
-        << particleSteps_/max(cpu, VSMALL)
-        << ", per clock second " << particleSteps_/max(clock, VSMALL) << nl;
+        << allSteps/max(allCpu, VSMALL)
+        << ", per clock second " << allSteps/max(clock, VSMALL) << nl;
 }
 
 

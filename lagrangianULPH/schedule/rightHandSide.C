@@ -333,14 +333,18 @@ void Foam::rightHandSide::forgetDivergence()
 void Foam::rightHandSide::divergence(const scalar t, const scalar later)
 {
     forgetDivergence();
-    if (!wall_.size() || !cloud_.saved("divergenceAfterKick"))
+    if (!cloud_.saved("divergenceAfterKick"))
+    {
+        return;
+    }
+    search_.halo().copy(cloud_.v());
+    if (!wall_.size())
     {
         return;
     }
     wall_.setTime(t, t + later);
     {
         ledger::section timer(ledger_, "pack");
-        search_.halo().copy(cloud_.v());
         forTiles(cloud_.total(), [&](const label first, const label count)
         {
             ulph::laneRow v[3];

@@ -5,6 +5,8 @@
 
 #include "shifting.H"
 #include "freeSurface.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -108,7 +110,8 @@ void Foam::shifting::bind(ulphCloud& cloud)
 
 void Foam::shifting::report(Ostream& os) const
 {
-    os  << "    shifting: cut to 0.2 dx " << nCapped_ << " times" << nl;
+    os  << "    shifting: cut to 0.2 dx "
+        << returnReduce(nCapped_, sumOp<label>()) << " times" << nl;
 }
 
 

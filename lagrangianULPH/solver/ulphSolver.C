@@ -7,6 +7,9 @@
 
 #include "fluidLattice.H"
 #include "inputChecks.H"
+#include "meshPlaces.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 #include "fvMesh.H"
 
@@ -23,23 +26,6 @@ Foam::IOobject Foam::ulphSolver::meshObject(const Time& time)
 }
 
 
-void Foam::ulphSolver::refuseParallel(const int argc, char* const argv[])
-{
-    // Before argList asks for a decomposition that would not help
-    for (int i = 1; i < argc; ++i)
-    {
-        if (string(argv[i]) == "-parallel")
-        {
-            FatalErrorInFunction
-                << "ulphFoam does not run in parallel by MPI yet." << nl
-                << "    Leave out mpirun and -parallel and use threads:"
-                << " OMP_NUM_THREADS=2 ulphFoam"
-                << exit(FatalError);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::ulphSolver::limitThreads() const
@@ -47,8 +33,15 @@ void Foam::ulphSolver::limitThreads() const
     // With fewer, starting the threads takes longer than their work
     constexpr label particlesPerThread = 2000;
 
-    const int useful = max(1, int(cloud_.size()/particlesPerThread));
+    const label share = nParticles()/Pstream::nProcs();
+    const int useful = max(1, int(share/particlesPerThread));
     omp_set_num_threads(min(omp_get_max_threads(), useful));
+}
+
+
+Foam::label Foam::ulphSolver::nParticles() const
+{
+    return returnReduce(cloud_.size(), sumOp<label>());
 }
 
 
@@ -169,9 +162,13 @@ Foam::ulphSolver::ulphSolver(Time& time, const fvMesh& mesh)
         written.getOrDefault<scalar>
         (
             "maxAcceleration",
-            cloud_.size()
-          ? mag(models_.force->at(time.value())(cloud_.position(0)))
-          : 0
+            returnReduce
+            (
+                cloud_.size()
+              ? mag(models_.force->at(time.value())(cloud_.position(0)))
+              : 0,
+                maxOp<scalar>()
+            )
         )
     );
 
@@ -246,16 +243,9 @@ void Foam::ulphSolver::advance()
 void Foam::ulphSolver::removeEscaped()
 {
     neighbours_.wrap();
-    const labelList cells(locator_.find(cloud_.positions()));
-    DynamicList<label> escaped;
-    forAll(cells, i)
-    {
-        if (cells[i] < 0)
-        {
-            escaped.append(i);
-        }
-    }
-    if (escaped.size())
+    const meshPlaces places(mesh_, locator_, cloud_.positions());
+    const labelUList& escaped = places.nowhere();
+    if (returnReduce(escaped.size(), sumOp<label>()))
     {
         energyBudget::change work
         (
@@ -282,7 +272,10 @@ void Foam::ulphSolver::writeCloud() const
     {
         extra.add("regions", regionsDigest());
     }
-    cloud_.write(locator_, locator_.find(cloud_.positions()), extra);
+    cloud_.write
+    (
+        locator_, meshPlaces(mesh_, locator_, cloud_.positions()), extra
+    );
 }
 
 

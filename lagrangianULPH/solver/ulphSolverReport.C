@@ -6,6 +6,8 @@
 #include "ulphSolver.H"
 
 #include "Time.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -14,7 +16,8 @@ void Foam::ulphSolver::info() const
     const scalar perSpeed = time_.deltaTValue()/cloud_.h();
     Info<< "Courant Number mean: " << cloud_.c0()*perSpeed
         << " max: " << (cloud_.c0() + tools_->maxSpeed())*perSpeed << nl
-        << "particles " << cloud_.size() << ", walls " << wall_.size()
+        << "particles " << nParticles() << ", walls "
+        << returnReduce(wall_.size(), sumOp<label>())
         << ", max(mag(U)) " << tools_->maxSpeed() << nl;
 
     const scalar done = time_.value() - startTime_;
@@ -46,12 +49,17 @@ void Foam::ulphSolver::predict()
     const scalar steps = (time_.endTime().value() - time_.value())/dt;
 
     Info<< nl << "Prediction" << nl
-        << "    fluid particles        " << cloud_.size() << nl
-        << "    wall particles in reach " << wall_.size() << nl
+        << "    fluid particles        " << nParticles() << nl
+        << "    wall particles in reach "
+        << returnReduce(wall_.size(), sumOp<label>()) << nl
         << "    sources listed per particle "
         << neighbours_.fluidList().meanListed() << nl
         << "    memory                 "
-        << (cloud_.size()*scalar(cloud_.bytes()) + neighbours_.bytes())/1e6
+        << returnReduce
+           (
+               cloud_.size()*scalar(cloud_.bytes()) + neighbours_.bytes(),
+               sumOp<scalar>()
+           )/1e6
         << " MB" << nl
         << "    time step              " << dt << " s at the start" << nl
         << "    steps                  " << steps << nl
@@ -68,10 +76,11 @@ void Foam::ulphSolver::report() const
     Info<< "    sources listed per particle "
         << neighbours_.fluidList().meanListed()
         << ", lists made " << neighbours_.nBuilds() << " times, renewed in part "
-        << neighbours_.nRenewals() << " times" << nl
+        << returnReduce(neighbours_.nRenewals(), maxOp<label>()) << " times" << nl
         << "    memory "
         << cloud_.bytes() << " bytes of fields and "
-        << neighbours_.bytes()/scalar(max(cloud_.size(), label(1)))
+        << returnReduce(scalar(neighbours_.bytes()), sumOp<scalar>())
+           /max(nParticles(), label(1))
         << " bytes of lists and records per particle" << nl
         << "Clamped, floored or removed" << nl;
     UPtrList<effect> effects(const_cast<ulphModels&>(models_).all());

@@ -121,7 +121,7 @@ void Foam::ulphSolver::makeParticles()
 {
     if (ulphCloud::found(mesh_, time_.timeName()))
     {
-        cloud_.read(time_.timeName());
+        cloud_.read(time_.timeName(), locator_);
         const dictionary written(cloud_.readProperties(time_.timeName()));
         refuseOtherRegions(written);
 
@@ -131,7 +131,7 @@ void Foam::ulphSolver::makeParticles()
             written.getOrDefault<scalar>("time", time_.value()),
             time_.timeIndex()
         );
-        Info<< "Read " << cloud_.size() << " particles of time "
+        Info<< "Read " << nParticles() << " particles of time "
             << time_.timeName() << "; nothing is filled into regions" << nl
             << endl;
         return;
@@ -142,7 +142,9 @@ void Foam::ulphSolver::makeParticles()
 
     const fluidLattice lattice(mesh_, search_, properties_);
 
-    const label n = lattice.size();
+    // All processors have made the same
+    const label nAll = lattice.size();
+    const label n = Pstream::master() ? nAll : 0;
     scalarField rho1(n);
     scalarField mass(n);
     for (label i = 0; i < n; ++i)
@@ -150,9 +152,15 @@ void Foam::ulphSolver::makeParticles()
         rho1[i] = models_.state->densityExcess(lattice.pressure()[i]);
         mass[i] = (cloud_.rho0() + rho1[i])*lattice.volume()[i];
     }
-    cloud_.set(lattice.position(), lattice.velocity(), rho1, mass);
+    cloud_.set
+    (
+        SubList<point>(lattice.position(), n),
+        SubList<vector>(lattice.velocity(), n),
+        rho1,
+        mass
+    );
 
-    Info<< "Filled " << n << " particles into " << lattice.regionNames().size()
+    Info<< "Filled " << nAll << " particles into " << lattice.regionNames().size()
         << " regions" << nl << endl;
 }
 
