@@ -265,7 +265,7 @@ bool Foam::neighbourSearch::update()
 std::size_t Foam::neighbourSearch::bytes() const
 {
     return sums_->bytes() + fluidList_.bytes() + wallList_.bytes()
-      + fluid_.bytes() + halo_.clusters().bytes() + wallParticles_.bytes()
+      + fluid_.bytes() + halo_.bytes() + wallParticles_.bytes()
       + sinceBuild_.bytes() + sinceRenewal_.bytes() + fluidRenewed_.bytes()
       + wallRenewed_.bytes() + sizeof(int)*newLists_.capacity();
 }

@@ -11,13 +11,16 @@ HERE = pathlib.Path(__file__).resolve().parent
 TUTORIALS = HERE.parents[1]/"tutorials"
 
 
-def run(case, threads=1, command="ulphFoam", mayStop=False):
+def run(case, threads=1, command="ulphFoam", mayStop=False, ranks=1):
     """Text of a run's log, and its CPU seconds. A run that fails ends all, unless
     it may stop by itself."""
+    words = [command, "-case", str(case)]
+    if ranks > 1:
+        words = ["mpirun", "-np", str(ranks), *words, "-parallel"]
     log = case/f"log.{command}"
     with open(log, "w") as out:
         process = subprocess.Popen(
-            [command, "-case", str(case)], stdout=out, stderr=out,
+            words, stdout=out, stderr=out,
             env={**os.environ, "OMP_NUM_THREADS": str(threads)})
         _, status, used = os.wait4(process.pid, 0)
     text = log.read_text()
