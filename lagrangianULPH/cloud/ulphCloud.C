@@ -321,13 +321,11 @@ void Foam::ulphCloud::translate(const label i, const vector& by)
 void Foam::ulphCloud::setHalo(const label n)
 {
     nHalo_ = n;
-    for (HashPtrTable<particleField>* fields : {&state_, &derived_})
+    for (const word& name : state_.toc())
     {
-        for (const word& name : fields->toc())
-        {
-            (*fields)[name]->resize(total());
-        }
+        state_[name]->resize(total());
     }
+    sizeDerived();
 }
 
 

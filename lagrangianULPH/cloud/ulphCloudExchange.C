@@ -54,17 +54,17 @@ void Foam::ulphCloud::exchange
     const std::vector<scalar>& added
 )
 {
-    setHalo(0);
-
     const label nKept = label(kept.size());
     const label nAdded = label(added.size())/valuesOfState();
-    for (HashPtrTable<particleField>* fields : {&state_, &derived_})
+    nHalo_ = 0;
+    size_ = nKept + nAdded;
+    for (const word& name : state_.toc())
     {
-        for (const word& name : fields->toc())
-        {
-            (*fields)[name]->keep(kept);
-            (*fields)[name]->resize(nKept + nAdded);
-        }
+        state_[name]->keep(kept, size_);
+    }
+    for (const word& name : derived_.toc())
+    {
+        nAdded ? derived_[name]->reset(size_) : derived_[name]->keep(kept, size_);
     }
     std::vector<label> ids;
     for (const int i : kept)
@@ -74,7 +74,7 @@ void Foam::ulphCloud::exchange
 
     const wordList names(state_.sortedToc());
     auto next = added.begin();
-    for (label i = nKept; i < nKept + nAdded; ++i)
+    for (label i = nKept; i < size_; ++i)
     {
         for (const word& name : names)
         {
@@ -87,7 +87,6 @@ void Foam::ulphCloud::exchange
         ids.push_back(label(*next++));
     }
     origId_.swap(ids);
-    size_ = nKept + nAdded;
 }
 
 

@@ -131,14 +131,6 @@ bool Foam::haloParticles::wrap()
 }
 
 
-void Foam::haloParticles::clear()
-{
-    shown_.clear();
-    order_.clear();
-    cloud_.setHalo(0);
-}
-
-
 void Foam::haloParticles::make(const scalar width, const int clusterWidth)
 {
     if (!any())

@@ -65,7 +65,6 @@ void Foam::neighbourSearch::build()
     nUses_ = 1;
     const int width = sums_->width();
 
-    halo_.clear();
     halo_.wrap();
     halo_.distribute();
     cloud_.permute(fluid_.sort(cloud_.view(), width));
