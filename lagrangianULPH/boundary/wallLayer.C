@@ -292,7 +292,7 @@ void Foam::wallLayer::takePressure
     label nSeparated = 0;
     for (int l = 0; l < sums.count; ++l)
     {
-        const bool separated = p[l] <= 0 && balance[l] < 0;
+        const bool separated = isSeparated(p[l], balance[l]);
         p[l] += separated ? 0 : balance[l];
         nSeparated += separated;
     }

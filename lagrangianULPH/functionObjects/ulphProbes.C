@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "cylindricalCS.H"
 #include "inputChecks.H"
+#include "wallLayer.H"
 #include "fvMesh.H"
 
 #include <Eigen/Eigenvalues>
@@ -80,8 +81,7 @@ Foam::scalar Foam::functionObjects::ulphProbes::wallPressure
     const scalar t = time_.value();
     const vector f(motion_.atRest(models().force->at(t), t)(where));
     const scalar balance = -particles().rho0()*(f & offset);
-    // A wall does not hold fluid without pressure
-    return mean <= 0 && balance < 0 ? mean : mean + balance;
+    return wallLayer::isSeparated(mean, balance) ? mean : mean + balance;
 }
 
 
