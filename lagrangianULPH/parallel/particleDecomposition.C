@@ -146,8 +146,9 @@ void Foam::particleDecomposition::distribute(ulphCloud& cloud)
     {
         return;
     }
-    if (isUneven(cloud))
+    if (!isCut_ || isUneven(cloud))
     {
+        isCut_ = true;
         std::vector<point> points(cloud.size());
         for (label i = 0; i < cloud.size(); ++i)
         {
