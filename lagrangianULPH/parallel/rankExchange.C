@@ -4,79 +4,40 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rankExchange.H"
-#include "UIPstream.H"
-#include "UOPstream.H"
+#include "Pstream.H"
 
 #include <algorithm>
-#include <numeric>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static std::size_t total(const labelList& numbers)
-{
-    return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
-}
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::rankExchange::exchange
+std::vector<Foam::scalar> Foam::rankExchange::exchange
 (
     const labelList& nOut,
     const std::vector<scalar>& out,
     const labelList& nIn,
-    std::vector<scalar>& in,
     const label perItem
 )
 {
-    const label me = UPstream::myProcNo();
-    const label request = UPstream::nRequests();
-
-    std::size_t first = 0;
-    std::size_t ownIn = 0;
-    forAll(nIn, rank)
+    List<List<scalar>> toRank(nOut.size());
+    labelList nFrom(nIn.size());
+    auto next = out.begin();
+    forAll(toRank, rank)
     {
-        const std::size_t n = std::size_t(nIn[rank])*perItem;
-        if (rank == me)
-        {
-            ownIn = first;
-        }
-        else if (n)
-        {
-            UIPstream::read
-            (
-                UPstream::commsTypes::nonBlocking, rank,
-                reinterpret_cast<char*>(in.data() + first), n*sizeof(scalar)
-            );
-        }
-        first += n;
+        nFrom[rank] = nIn[rank]*perItem;
+        toRank[rank].resize(nOut[rank]*perItem);
+        std::copy_n(next, toRank[rank].size(), toRank[rank].begin());
+        next += toRank[rank].size();
     }
 
-    first = 0;
-    forAll(nOut, rank)
+    List<List<scalar>> fromRank;
+    Pstream::exchange<List<scalar>, scalar>(toRank, nFrom, fromRank);
+
+    std::vector<scalar> in;
+    for (const List<scalar>& values : fromRank)
     {
-        const std::size_t n = std::size_t(nOut[rank])*perItem;
-        if (rank == me)
-        {
-            std::copy_n(out.data() + first, n, in.data() + ownIn);
-        }
-        else if (n)
-        {
-            UOPstream::write
-            (
-                UPstream::commsTypes::nonBlocking, rank,
-                reinterpret_cast<const char*>(out.data() + first),
-                n*sizeof(scalar)
-            );
-        }
-        first += n;
+        in.insert(in.end(), values.begin(), values.end());
     }
-    UPstream::waitRequests(request);
+    return in;
 }
 
 
@@ -102,9 +63,7 @@ std::vector<Foam::scalar> Foam::rankExchange::forth
     const label perItem
 ) const
 {
-    std::vector<scalar> in(total(received_)*perItem);
-    exchange(sent_, values, received_, in, perItem);
-    return in;
+    return exchange(sent_, values, received_, perItem);
 }
 
 
@@ -114,9 +73,7 @@ std::vector<Foam::scalar> Foam::rankExchange::back
     const label perItem
 ) const
 {
-    std::vector<scalar> in(total(sent_)*perItem);
-    exchange(received_, values, sent_, in, perItem);
-    return in;
+    return exchange(received_, values, sent_, perItem);
 }
 
 
